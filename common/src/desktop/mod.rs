@@ -1,0 +1,19 @@
+//! What needs a desktop: the command line, files and the window.
+
+mod command_line;
+mod file;
+mod progress;
+mod window;
+
+use std::process::ExitCode;
+
+use crate::Step;
+use command_line::Program;
+
+/// What a step's `main` runs: the command line, and what it asks for.
+///
+/// `name` is the step's package, `concept` the line that says what it teaches. The exit status is
+/// 0 when all was done, 1 when it failed or a comparison found a difference, 2 for wrong usage.
+pub fn main<S: Step + Default + 'static>(name: &'static str, concept: &'static str) -> ExitCode {
+    command_line::run(&Program { name, concept, new: || Box::new(S::default()) })
+}

@@ -1,0 +1,179 @@
+use std::fmt;
+use std::str::FromStr;
+
+use image::RgbImage;
+
+use crate::Camera;
+use crate::Color;
+use crate::Image;
+use crate::Step;
+use crate::encode;
+
+/// Width and height of a picture, in pixels: each at least 1, together at most
+/// [`MAX_PIXELS`](Self::MAX_PIXELS) pixels.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub struct Size {
+    width: usize,
+    height: usize,
+}
+
+/// Why a size cannot be had.
+#[derive(Clone, Debug, Eq, PartialEq)]
+pub enum SizeError {
+    /// Not two whole numbers with an `x` between them.
+    Syntax,
+    /// No pixel at all.
+    Empty,
+    /// More than [`Size::MAX_PIXELS`].
+    TooLarge,
+}
+
+impl fmt::Display for SizeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Syntax => write!(f, "a size is WIDTHxHEIGHT in pixels, such as 960x540"),
+            Self::Empty => write!(f, "width and height are at least 1"),
+            Self::TooLarge => {
+                write!(f, "the limit is {} million pixels in all", Size::MAX_PIXELS / 1_000_000)
+            }
+        }
+    }
+}
+
+impl std::error::Error for SizeError {}
+
+impl Size {
+    /// The size of the lecture's pictures.
+    pub const DEFAULT: Self = Self { width: 960, height: 540 };
+
+    /// The most pixels a picture may have.
+    pub const MAX_PIXELS: usize = 100_000_000;
+
+    /// `width` × `height` pixels.
+    ///
+    /// # Errors
+    ///
+    /// [`SizeError::Empty`] and [`SizeError::TooLarge`].
+    pub fn new(width: usize, height: usize) -> Result<Self, SizeError> {
+        match width.checked_mul(height) {
+            Some(0) => Err(SizeError::Empty),
+            Some(pixels) if pixels <= Self::MAX_PIXELS => Ok(Self { width, height }),
+            _ => Err(SizeError::TooLarge),
+        }
+    }
+
+    /// The width, in pixels.
+    pub fn width(self) -> usize {
+        self.width
+    }
+
+    /// The height, in pixels.
+    pub fn height(self) -> usize {
+        self.height
+    }
+
+    /// Width over height.
+    pub fn aspect(self) -> f32 {
+        self.width as f32 / self.height as f32
+    }
+}
+
+impl FromStr for Size {
+    type Err = SizeError;
+
+    /// Reads `960x540`; the typographic × does as well.
+    fn from_str(text: &str) -> Result<Self, SizeError> {
+        let (width, height) = text.split_once(['x', 'X', '×']).ok_or(SizeError::Syntax)?;
+        let number = |digits: &str| match digits.parse() {
+            Ok(number) => Ok(number),
+            Err(_) if digits.len() > 9 && digits.bytes().all(|byte| byte.is_ascii_digit()) => {
+                Err(SizeError::TooLarge)
+            }
+            Err(_) => Err(SizeError::Syntax),
+        };
+        Self::new(number(width)?, number(height)?)
+    }
+}
+
+impl fmt::Display for Size {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}x{}", self.width, self.height)
+    }
+}
+
+/// A picture to be made: what, from where, how large, how finely.
+///
+/// It is a plain value without a clock or a thread: whoever makes it decides which rows are
+/// rendered when and where.
+#[derive(Clone, Copy)]
+pub struct Frame<'a> {
+    /// What is seen.
+    pub step: &'a dyn Step,
+    /// Where it is seen from.
+    pub camera: &'a dyn Camera,
+    /// How large the picture is.
+    pub size: Size,
+    /// The square root of the number of rays a pixel, at least 1.
+    pub samples: usize,
+}
+
+impl fmt::Debug for Frame<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Frame({}, {} samples)", self.size, self.samples)
+    }
+}
+
+impl Frame<'_> {
+    /// Renders rows into `rgb`, three bytes a pixel, from `first_row` on, as many as fit.
+    ///
+    /// With N samples the step renders a picture N times as wide and high, and each pixel is the
+    /// mean of N × N of its pixels, taken before encoding.
+    ///
+    /// # Panics
+    ///
+    /// When `rgb` reaches below the picture's last row.
+    pub fn render_rows(&self, first_row: usize, rgb: &mut [u8]) {
+        let (n, width, height) = (self.samples, self.size.width, self.size.height);
+        let mut colors = vec![Color::ZERO; n * width];
+        let mut sums = vec![Color::ZERO; width];
+        for (row, pixels) in (first_row..).zip(rgb.chunks_exact_mut(3 * width)) {
+            sums.fill(Color::ZERO);
+            for row in n * row..n * (row + 1) {
+                let mut image = Image::new(n * width, n * height, row, &mut colors);
+                self.step.render(self.camera, &mut image);
+                for (sum, colors) in sums.iter_mut().zip(colors.chunks_exact(n)) {
+                    *sum += colors.iter().sum::<Color>();
+                }
+            }
+            for (pixel, sum) in pixels.chunks_exact_mut(3).zip(&sums) {
+                pixel.copy_from_slice(&encode(sum / (n * n) as f32));
+            }
+        }
+    }
+
+    /// Renders the whole picture, one row after the other.
+    pub fn render(&self) -> RgbImage {
+        let mut picture = RgbImage::new(self.size.width as u32, self.size.height as u32);
+        self.render_rows(0, &mut picture);
+        picture
+    }
+
+    /// Renders the whole picture on all cores, and calls `done` with a number of rows whenever
+    /// that many more are finished.
+    #[cfg(feature = "desktop")]
+    pub fn render_parallel(&self, done: impl Fn(usize) + Sync) -> RgbImage {
+        use rayon::iter::IndexedParallelIterator;
+        use rayon::iter::ParallelIterator;
+        use rayon::slice::ParallelSliceMut;
+
+        let mut picture = RgbImage::new(self.size.width as u32, self.size.height as u32);
+        // Small bands, because rows cost as much as what is seen in them.
+        let rows = 4;
+        let bands = picture.par_chunks_mut(3 * self.size.width * rows).enumerate();
+        bands.for_each(|(band, rgb)| {
+            self.render_rows(band * rows, rgb);
+            done(rgb.len() / (3 * self.size.width));
+        });
+        picture
+    }
+}

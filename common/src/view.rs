@@ -1,0 +1,91 @@
+use crate::Camera;
+use crate::Control;
+use crate::FIELD_OF_VIEW;
+use crate::OrthographicCamera;
+use crate::PerspectiveCamera;
+use crate::Vec3;
+
+/// Where the picture is seen from, and how: a viewpoint that circles a target.
+#[derive(Clone, Debug, PartialEq)]
+pub struct View {
+    start: Vec3,
+    target: Vec3,
+    start_azimuth: f32,
+    start_elevation: f32,
+    start_distance: f32,
+    /// Around the target, in degrees: 0 is seen from +z, 90 from +x.
+    pub azimuth: f32,
+    /// Above the target's horizon, in degrees.
+    pub elevation: f32,
+    /// From the target, in world units.
+    pub distance: f32,
+    /// The vertical angle of view, in degrees.
+    pub field_of_view: f32,
+    /// 0 perspective, 1 parallel, as in [`View::PROJECTIONS`].
+    pub projection: usize,
+}
+
+impl View {
+    /// The two kinds of camera.
+    pub const PROJECTIONS: [&str; 2] = ["perspective", "parallel"];
+
+    /// Seen in perspective from `eye`, towards `target`; `field_of_view` is vertical, in degrees.
+    pub fn new(eye: Vec3, target: Vec3, field_of_view: f32) -> Self {
+        let offset = eye - target;
+        let azimuth = offset.x.atan2(offset.z).to_degrees();
+        let elevation = offset.y.atan2(offset.x.hypot(offset.z)).to_degrees();
+        let distance = offset.length();
+        Self {
+            start: eye,
+            target,
+            start_azimuth: azimuth,
+            start_elevation: elevation,
+            start_distance: distance,
+            azimuth,
+            elevation,
+            distance,
+            field_of_view,
+            projection: 0,
+        }
+    }
+
+    /// The viewpoint. As long as nothing was moved, it is the one given, to the last digit.
+    pub fn eye(&self) -> Vec3 {
+        if self.distance == self.start_distance
+            && self.azimuth == self.start_azimuth
+            && self.elevation == self.start_elevation
+        {
+            return self.start;
+        }
+        let (sin_azimuth, cos_azimuth) = self.azimuth.to_radians().sin_cos();
+        let (sin_elevation, cos_elevation) = self.elevation.to_radians().sin_cos();
+        let direction =
+            Vec3::new(cos_elevation * sin_azimuth, sin_elevation, cos_elevation * cos_azimuth);
+        self.target + self.distance * direction
+    }
+
+    /// The camera for a picture whose width over height is `aspect`.
+    ///
+    /// The parallel one shows as much at the target as the perspective one does there.
+    pub fn camera(&self, aspect: f32) -> Box<dyn Camera> {
+        let (eye, target, up) = (self.eye(), self.target, Vec3::Y);
+        if self.projection == 0 {
+            let angle = self.field_of_view;
+            Box::new(PerspectiveCamera::new(eye, target, up, angle, aspect))
+        } else {
+            let height = 2.0 * self.distance * (self.field_of_view.to_radians() / 2.0).tan();
+            Box::new(OrthographicCamera::new(eye, target, up, height, aspect))
+        }
+    }
+
+    /// The camera's own controls: they come after those of the step.
+    pub fn controls(&mut self) -> Vec<Control<'_>> {
+        vec![
+            Control::choice("camera", &Self::PROJECTIONS, &mut self.projection),
+            Control::number("azimuth", -180.0..=180.0, &mut self.azimuth),
+            Control::number("elevation", -89.0..=89.0, &mut self.elevation),
+            Control::logarithmic("distance", 0.1..=100.0, &mut self.distance),
+            Control::number("fov", FIELD_OF_VIEW, &mut self.field_of_view),
+        ]
+    }
+}

@@ -1,0 +1,100 @@
+//! All that is seen.
+use common::Color;
+use common::Explanation;
+use common::Ray;
+use common::Vec3;
+
+use crate::intersection::IntersectionRecord;
+use crate::intersection::Surface;
+use crate::sphere::Sphere;
+use crate::triangle::Triangle;
+
+/// A surface and how it looks.
+#[derive(Clone, Debug)]
+pub struct Object<S: ?Sized> {
+    /// What explanations call it.
+    pub name: &'static str,
+    /// What it is made of.
+    pub material: Color,
+    /// Its shape.
+    pub surface: S,
+}
+
+/// Objects in a list for each kind of surface, so that the compiler knows what each loop calls.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// The spheres.
+    pub spheres: Vec<Object<Sphere>>,
+    /// The triangles.
+    pub triangles: Vec<Object<Triangle>>,
+    /// What a ray sees that hits nothing.
+    pub background: Color,
+}
+
+/// A hit and what was hit.
+pub type Hit<'a> = (IntersectionRecord, &'a Object<dyn Surface>);
+
+impl Scene {
+    fn objects(&self) -> impl Iterator<Item = &Object<dyn Surface>> {
+        let spheres = self.spheres.iter().map(|sphere| sphere as &Object<dyn Surface>);
+        spheres.chain(self.triangles.iter().map(|triangle| triangle as &Object<dyn Surface>))
+    }
+
+    /// The hit with the smallest t, if any. Slide «Intersecção de raios em software».
+    pub fn intersect(&self, ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit<'_>> {
+        let (mut closest, mut t_max) = (None, t_max);
+        self.objects().for_each(|object| {
+            if let Some(record) = object.surface.intersect(ray, t_min, t_max) {
+                t_max = record.t;
+                closest = Some((record, object));
+            }
+        });
+        closest
+    }
+
+    /// The colour seen along `ray`. Slides «Imagen obtida até o momento».
+    pub fn trace(&self, ray: &Ray, t_min: f32, t_max: f32) -> Color {
+        match self.intersect(ray, t_min, t_max) {
+            Some((_, object)) => object.material,
+            None => self.background,
+        }
+    }
+
+    /// Adds what `ray` hits and how that looks to `explanation`.
+    pub fn explain(&self, ray: &Ray, explanation: &mut Explanation) {
+        let Some((_, object)) = self.intersect(ray, 0.0, f32::INFINITY) else {
+            return explanation.heading("background");
+        };
+        explanation.heading(object.name);
+        object.surface.explain(ray, explanation);
+    }
+}
+
+/// The scene of the lecture's pictures: a floor, three spheres and a pyramid.
+pub fn lecture_scene() -> Scene {
+    let p = Vec3::new;
+    let paint = Color::new;
+    let sphere = |name, material, center, radius| {
+        let surface = Sphere { center, radius };
+        Object { name, material, surface }
+    };
+    let triangle = |name, material, abc| Object { name, material, surface: Triangle::new(abc) };
+    let grey = paint(0.55, 0.55, 0.55);
+    let yellow = paint(0.85, 0.70, 0.25);
+    let far = [p(-20.0, 0.0, -20.0), p(20.0, 0.0, -20.0)];
+    let near = [p(-20.0, 0.0, 20.0), p(20.0, 0.0, 20.0)];
+    let floor = [[far[0], near[1], far[1]], [far[0], near[0], near[1]]];
+    let floor = floor.map(|abc| triangle("floor", grey, abc));
+    let base = [p(0.7, 0.0, -0.1), p(2.5, 0.0, 0.3), p(2.9, 0.0, -1.5), p(1.1, 0.0, -1.9)];
+    let face = |i| [base[i], base[(i + 1) % 4], p(1.7, 1.9, -0.9)];
+    let pyramid = [0, 1, 2, 3].map(|i| triangle("pyramid", yellow, face(i)));
+    Scene {
+        spheres: vec![
+            sphere("red sphere", paint(0.85, 0.25, 0.20), p(-0.3, 1.0, 0.0), 1.0),
+            sphere("green sphere", paint(0.25, 0.60, 0.30), p(-1.9, 0.6, 1.3), 0.6),
+            sphere("blue sphere", paint(0.20, 0.35, 0.85), p(1.05, 0.5, 1.5), 0.5),
+        ],
+        triangles: floor.into_iter().chain(pyramid).collect(),
+        background: Color::new(0.03, 0.05, 0.09),
+    }
+}

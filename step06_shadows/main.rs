@@ -1,0 +1,6 @@
+//! Shows this step in a window, or writes it to a file.
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    common::main::<step06_shadows::Lesson>(env!("CARGO_PKG_NAME"), env!("CARGO_PKG_DESCRIPTION"))
+}

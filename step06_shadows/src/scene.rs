@@ -1,0 +1,162 @@
+//! All that is seen.
+use common::Color;
+use common::Explanation;
+use common::Ray;
+use common::Vec3;
+
+use crate::intersection::IntersectionRecord;
+use crate::intersection::Surface;
+use crate::light::PointLight;
+use crate::material::Material;
+use crate::sphere::Sphere;
+use crate::triangle::Triangle;
+
+/// A surface and how it looks.
+#[derive(Clone, Debug)]
+pub struct Object<S: ?Sized> {
+    /// What explanations call it.
+    pub name: &'static str,
+    /// What it is made of.
+    pub material: Material,
+    /// Its shape.
+    pub surface: S,
+}
+
+/// Objects in a list for each kind of surface, so that the compiler knows what each loop calls.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// The spheres.
+    pub spheres: Vec<Object<Sphere>>,
+    /// The triangles.
+    pub triangles: Vec<Object<Triangle>>,
+    /// What a ray sees that hits nothing.
+    pub background: Color,
+    /// The lights.
+    pub lights: Vec<PointLight>,
+    /// How many of the lights are lit.
+    pub lit: usize,
+    /// I of a dim light at the camera.
+    pub camera_light: f32,
+    /// I_a, the light from everywhere.
+    pub ambient: f32,
+    /// Whether objects throw shadows.
+    pub shadows: bool,
+    /// ε: where shadow rays begin, as a share of the way to the light.
+    pub epsilon: f32,
+}
+
+/// A hit and what was hit.
+pub type Hit<'a> = (IntersectionRecord, &'a Object<dyn Surface>);
+
+impl Scene {
+    fn objects(&self) -> impl Iterator<Item = &Object<dyn Surface>> {
+        let spheres = self.spheres.iter().map(|sphere| sphere as &Object<dyn Surface>);
+        spheres.chain(self.triangles.iter().map(|triangle| triangle as &Object<dyn Surface>))
+    }
+
+    /// The hit with the smallest t, if any. Slide «Intersecção de raios em software».
+    pub fn intersect(&self, ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit<'_>> {
+        let (mut closest, mut t_max) = (None, t_max);
+        self.objects().for_each(|object| {
+            if let Some(record) = object.surface.intersect(ray, t_min, t_max) {
+                t_max = record.t;
+                closest = Some((record, object));
+            }
+        });
+        closest
+    }
+
+    /// Any object that is hit with t_min < t < t_max; `None` when there is none.
+    pub fn blocker(&self, ray: &Ray, t_min: f32, t_max: f32) -> Option<&Object<dyn Surface>> {
+        self.objects().find(|object| object.surface.intersect(ray, t_min, t_max).is_some())
+    }
+
+    /// The colour seen along `ray`. Slides «Imagen obtida até o momento».
+    pub fn trace(&self, ray: &Ray, t_min: f32, t_max: f32) -> Color {
+        match self.intersect(ray, t_min, t_max) {
+            Some((record, object)) => self.reflected(ray, &record, &object.material),
+            None => self.background,
+        }
+    }
+
+    /// The lights that are lit, the one at the camera last.
+    fn lights(&self, ray: &Ray) -> impl Iterator<Item = PointLight> {
+        let (position, intensity) = (ray.origin, self.camera_light);
+        let camera_light = PointLight { position, intensity, attenuation: true };
+        let lit = self.lights.iter().take(self.lit).copied();
+        lit.chain((intensity > 0.0).then_some(camera_light))
+    }
+
+    /// What stands between `point` and `light`. Slide «Sombras».
+    fn shadow(&self, point: Vec3, light: &PointLight) -> Option<&Object<dyn Surface>> {
+        let shadow_ray = Ray::new(point, light.position - point);
+        if self.shadows { self.blocker(&shadow_ray, self.epsilon, 1.0) } else { None }
+    }
+
+    /// The sum over all lights. Slides «Múltiplas luzes» and «Illuminação ambiente».
+    fn reflected(&self, ray: &Ray, record: &IntersectionRecord, material: &Material) -> Color {
+        let mut result = material.k_a * self.ambient;
+        for light in self.lights(ray) {
+            if self.shadow(record.point, &light).is_none() {
+                result += material.shade(ray, record, &light).l_d;
+            }
+        }
+        result
+    }
+
+    /// Adds what `ray` hits and how that looks to `explanation`.
+    pub fn explain(&self, ray: &Ray, explanation: &mut Explanation) {
+        let Some((record, object)) = self.intersect(ray, 0.0, f32::INFINITY) else {
+            return explanation.heading("background");
+        };
+        explanation.heading(object.name);
+        object.surface.explain(ray, explanation);
+        explanation.line("L_a = k_a I_a", object.material.k_a * self.ambient);
+        for light in self.lights(ray) {
+            let blocker = self.shadow(record.point, &light);
+            explanation.heading("light");
+            explanation.line("position", light.position);
+            explanation.line("blocked by", blocker.map_or("nothing", |object| object.name));
+            object.material.shade(ray, &record, &light).explain(explanation);
+        }
+    }
+}
+
+/// The scene of the lecture's pictures: a floor, three spheres and a pyramid.
+pub fn lecture_scene() -> Scene {
+    let p = Vec3::new;
+    let paint = |r, g, b| {
+        let k_d = Color::new(r, g, b);
+        Material { k_a: 0.1 * k_d, k_d }
+    };
+    let sphere = |name, material, center, radius| {
+        let surface = Sphere { center, radius };
+        Object { name, material, surface }
+    };
+    let triangle = |name, material, abc| Object { name, material, surface: Triangle::new(abc) };
+    let light = |position, intensity| PointLight { position, intensity, attenuation: true };
+    let grey = paint(0.55, 0.55, 0.55);
+    let yellow = paint(0.85, 0.70, 0.25);
+    let far = [p(-20.0, 0.0, -20.0), p(20.0, 0.0, -20.0)];
+    let near = [p(-20.0, 0.0, 20.0), p(20.0, 0.0, 20.0)];
+    let floor = [[far[0], near[1], far[1]], [far[0], near[0], near[1]]];
+    let floor = floor.map(|abc| triangle("floor", grey, abc));
+    let base = [p(0.7, 0.0, -0.1), p(2.5, 0.0, 0.3), p(2.9, 0.0, -1.5), p(1.1, 0.0, -1.9)];
+    let face = |i| [base[i], base[(i + 1) % 4], p(1.7, 1.9, -0.9)];
+    let pyramid = [0, 1, 2, 3].map(|i| triangle("pyramid", yellow, face(i)));
+    Scene {
+        spheres: vec![
+            sphere("red sphere", paint(0.85, 0.25, 0.20), p(-0.3, 1.0, 0.0), 1.0),
+            sphere("green sphere", paint(0.25, 0.60, 0.30), p(-1.9, 0.6, 1.3), 0.6),
+            sphere("blue sphere", paint(0.20, 0.35, 0.85), p(1.05, 0.5, 1.5), 0.5),
+        ],
+        triangles: floor.into_iter().chain(pyramid).collect(),
+        background: Color::new(0.03, 0.05, 0.09),
+        lights: vec![light(p(4.0, 6.0, 5.0), 42.0), light(p(-6.0, 5.0, 4.0), 20.0)],
+        lit: 2,
+        camera_light: 0.0,
+        ambient: 1.0,
+        shadows: true,
+        epsilon: 1e-3,
+    }
+}
