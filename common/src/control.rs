@@ -131,11 +131,10 @@ impl<'a> Control<'a> {
             Value::Choice(index, names) => {
                 names.iter().position(|name| *name == text).map(|position| **index = position)
             }
-            Value::Switch(on) => match text {
-                "on" => Some(**on = true),
-                "off" => Some(**on = false),
-                _ => None,
-            },
+            Value::Switch(on) => ["off", "on"]
+                .iter()
+                .position(|name| *name == text)
+                .map(|position| **on = position == 1),
         };
         taken.ok_or_else(|| Refused {
             name: self.name.clone(),

@@ -103,8 +103,7 @@ impl Srgb {
 
     #[inline]
     fn encode(&self, linear: f32) -> u8 {
-        // `max` first: it turns NaN into 0.
-        let linear = linear.max(0.0).min(1.0);
+        let linear = if linear > 0.0 { linear.min(1.0) } else { 0.0 };
         let guess = self.guess[(linear * Self::STEPS as f32) as usize];
         guess + u8::from(linear >= self.from[guess as usize + 1])
     }

@@ -17,16 +17,10 @@ use crate::render::pixel_center;
 use crate::render::render;
 
 /// What this step shows, and what can be changed in it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Lesson {
     /// What gives a ray its colour: 0 its direction, 1 its origin.
     pub shown: usize,
-}
-
-impl Default for Lesson {
-    fn default() -> Self {
-        Self { shown: 0 }
-    }
 }
 
 impl Lesson {
