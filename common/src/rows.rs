@@ -95,16 +95,24 @@ impl Srgb {
         from[256] = f32::INFINITY;
         let mut guess = [0; Self::STEPS + 1];
         for (step, guess) in guess.iter_mut().enumerate() {
-            let linear = step as f32 / Self::STEPS as f32;
-            *guess = (from.partition_point(|&from| from <= linear) - 1) as u8;
+            // A little less, because `step` rounds its sum.
+            let linear = (step as f32 - 0.01) / Self::STEPS as f32;
+            *guess = from[1..].partition_point(|&from| from <= linear) as u8;
         }
         Self { from, guess }
+    }
+
+    /// The step that `linear`, 0 to 1, falls into. From 1 to 2 all numbers have the same exponent,
+    /// so that their bits count in equal steps.
+    #[inline]
+    fn step(linear: f32) -> usize {
+        ((1.0 + linear).to_bits() - 1.0_f32.to_bits()) as usize >> 11
     }
 
     #[inline]
     fn encode(&self, linear: f32) -> u8 {
         let linear = if linear > 0.0 { linear.min(1.0) } else { 0.0 };
-        let guess = self.guess[(linear * Self::STEPS as f32) as usize];
+        let guess = self.guess[Self::step(linear)];
         guess + u8::from(linear >= self.from[guess as usize + 1])
     }
 }

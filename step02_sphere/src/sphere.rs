@@ -48,9 +48,9 @@ impl Sphere {
         let (d, o) = (ray.direction, ray.origin - self.center);
         let (a, b) = (d.dot(d), d.dot(o));
         let radius_squared = self.radius * self.radius;
-        // Far away b² and a c are large and nearly equal. With q = o − (b/a) d, which leads from
+        // Far away b² and a c are large and nearly equal. With q = o − b (d/a), which leads from
         // the centre to the nearest point of the line, b² − a c = a (radius² − q·q): no loss.
-        let q = o - (b / a) * d;
+        let q = o - b * (d / a);
         let discriminant = a * (radius_squared - q.dot(q));
         Quadratic { a, b, c: o.dot(o) - radius_squared, discriminant }
     }

@@ -43,7 +43,7 @@ impl Lesson {
         let hit = triangle.intersect(ray, 0.0, f32::INFINITY);
         let weights = hit.and(triangle.solve(ray, 0.0, f32::INFINITY));
         let shown = [Color::ONE, Color::X, Color::Y, Color::Z][self.shown];
-        weights.map_or(Color::ZERO, |(_, weights)| weights * shown)
+        weights.map_or(Color::ZERO, |(_, weights)| shown * Color::from(weights))
     }
 }
 

@@ -27,7 +27,7 @@ impl Triangle {
     /// Solves p + t d = a + β (b − a) + γ (c − a), three linear equations: t, and α, β, γ.
     /// `None` unless t_min < t < t_max. Slide «Intersecção entre raio e triângulo».
     #[inline]
-    pub fn solve(&self, ray: &Ray, t_min: f32, t_max: f32) -> Option<(f32, Vec3)> {
+    pub fn solve(&self, ray: &Ray, t_min: f32, t_max: f32) -> Option<(f32, [f32; 3])> {
         // [a−b a−c d] (β γ t)ᵀ = a − p, by Cramer's rule with |x y z| = (x × y)·z:
         // t = |a−b a−c a−p| / |a−b a−c d|,
         let a_minus_p = self.a - ray.origin;
@@ -39,7 +39,7 @@ impl Triangle {
         // β = |a−p a−c d| / |a−b a−c d|, γ = |a−b a−p d| / |a−b a−c d|
         let d_cross = ray.direction.cross(a_minus_p) / determinant;
         let (beta, gamma) = (self.a_minus_c.dot(d_cross), -self.a_minus_b.dot(d_cross));
-        Some((t, Vec3::new(1.0 - beta - gamma, beta, gamma)))
+        Some((t, [1.0 - beta - gamma, beta, gamma]))
     }
 }
 
@@ -50,14 +50,14 @@ impl Triangle {
         let (t, barycentric) = self.solve(ray, t_min, t_max)?;
         // α, β, γ ≥ 0: edges count, so that no ray slips through between two triangles.
         let record = IntersectionRecord { t, point: ray.at(t), normal: self.normal };
-        (barycentric.min_element() >= 0.0).then_some(record)
+        barycentric.iter().all(|weight| *weight >= 0.0).then_some(record)
     }
 
     /// Adds the solution of the equations for `ray`, and the hit, to `explanation`.
     pub fn explain(&self, ray: &Ray, explanation: &mut Explanation) {
         if let Some((t, barycentric)) = self.solve(ray, 0.0, f32::INFINITY) {
             explanation.line("t, on the plane", t);
-            explanation.line("α, β, γ", barycentric);
+            explanation.line("α, β, γ", Vec3::from(barycentric));
         }
         if let Some(record) = self.intersect(ray, 0.0, f32::INFINITY) {
             record.explain(explanation);

@@ -39,20 +39,17 @@ pub struct Scene {
 pub type Hit<'a> = (IntersectionRecord, &'a Object<dyn Surface>);
 
 impl Scene {
-    fn objects(&self) -> impl Iterator<Item = &Object<dyn Surface>> {
-        let spheres = self.spheres.iter().map(|sphere| sphere as &Object<dyn Surface>);
-        spheres.chain(self.triangles.iter().map(|triangle| triangle as &Object<dyn Surface>))
-    }
-
     /// The hit with the smallest t, if any. Slide «Intersecção de raios em software».
-    pub fn intersect(&self, ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit<'_>> {
+    pub fn intersect<'a>(&'a self, ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit<'a>> {
         let (mut closest, mut t_max) = (None, t_max);
-        self.objects().for_each(|object| {
+        let mut keep_closest = |object: &'a Object<dyn Surface>| {
             if let Some(record) = object.surface.intersect(ray, t_min, t_max) {
                 t_max = record.t;
                 closest = Some((record, object));
             }
-        });
+        };
+        self.spheres.iter().for_each(|sphere| keep_closest(sphere));
+        self.triangles.iter().for_each(|triangle| keep_closest(triangle));
         closest
     }
 

@@ -13,9 +13,9 @@ pub struct PointLight {
 }
 
 impl PointLight {
-    /// I/r², or I without attenuation; r < 10⁻³ counts as 10⁻³. Slide «Atenuação por distância».
+    /// I/r², or I without attenuation. Slide «Atenuação por distância».
     #[inline]
     pub fn irradiance(&self, r_squared: f32) -> f32 {
-        if self.attenuation { self.intensity / r_squared.max(1e-6) } else { self.intensity }
+        if self.attenuation { self.intensity / r_squared } else { self.intensity }
     }
 }

@@ -27,7 +27,7 @@ pub struct Shading {
     pub n: Vec3,
     /// The unit vector to the light.
     pub l: Vec3,
-    /// The squared distance to the light.
+    /// The squared distance to the light, 10⁻⁶ at least: a light may lie on a surface.
     pub r_squared: f32,
     /// I/r²
     pub irradiance: f32,
@@ -65,8 +65,8 @@ impl Material {
     ) -> Shading {
         let n = -record.normal.dot(ray.direction).signum() * record.normal;
         let to_light = light.position - record.point;
-        let r_squared = to_light.length_squared();
-        let l = to_light.normalize_or_zero();
+        let r_squared = to_light.length_squared().max(1e-6);
+        let l = to_light / r_squared.sqrt();
         let irradiance = light.irradiance(r_squared);
         // L_d = k_d (I/r²) max(0, n·l)
         let n_dot_l = n.dot(l);
