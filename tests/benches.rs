@@ -1,0 +1,126 @@
+//! What a pixel costs: `cargo bench`.
+//!
+//! Pictures have 1333 × 750 pixels, a million but for a few, so that a picture's milliseconds are
+//! a pixel's nanoseconds.
+
+use common::Color;
+use common::Frame;
+use common::Ray;
+use common::Size;
+use common::Vec3;
+use common::encode;
+use divan::Bencher;
+use divan::black_box;
+use step07_specular::intersection::IntersectionRecord;
+use step07_specular::intersection::Surface;
+use step07_specular::light::PointLight;
+use step07_specular::material::Material;
+use step07_specular::scene::Object;
+use step07_specular::scene::Scene;
+use step07_specular::scene::lecture_scene;
+use step07_specular::sphere::Sphere;
+use step07_specular::triangle::Triangle;
+use tests::STEPS;
+
+fn main() {
+    divan::main();
+}
+
+fn render(bencher: Bencher<'_, '_>, step: &str, height: usize, parallel: bool) {
+    let index = STEPS.iter().position(|name| *name == step).expect("a step");
+    let (step, size) = (tests::step(index), Size::new(height * 16 / 9, height).expect("a size"));
+    let camera = step.view().camera(size.aspect());
+    let frame = Frame { step: &*step, camera: &*camera, size, samples: 1 };
+    bencher.bench_local(|| if parallel { frame.render_parallel(|_| ()) } else { frame.render() });
+}
+
+/// Milliseconds a picture of a million pixels, on one core: nanoseconds a pixel.
+#[divan::bench(args = STEPS, sample_count = 20)]
+fn one_thread(bencher: Bencher<'_, '_>, step: &str) {
+    render(bencher, step, 750, false);
+}
+
+/// The same on all cores.
+#[divan::bench(args = STEPS, sample_count = 20)]
+fn all_threads(bencher: Bencher<'_, '_>, step: &str) {
+    render(bencher, step, 750, true);
+}
+
+/// Step 07 at heights from 375 to 6000 pixels, a quarter of a megapixel to 64, on all cores.
+#[divan::bench(args = [375, 750, 1500, 3000, 6000], sample_count = 3)]
+fn pixels(bencher: Bencher<'_, '_>, height: usize) {
+    render(bencher, "step07_specular", height, true);
+}
+
+/// Rays from the eye through a grid of 32 × 32 positions into `scene`.
+fn trace(bencher: Bencher<'_, '_>, scene: &Scene) {
+    let step = tests::step(6);
+    let camera = step.view().camera(1.0);
+    let rays: Vec<Ray> = (0..32 * 32)
+        .map(|index| camera.generate_ray((index % 32) as f32 / 31.0, (index / 32) as f32 / 31.0))
+        .collect();
+    let trace = |ray: &Ray| scene.trace(ray, 0.0, f32::INFINITY);
+    bencher.bench_local(|| black_box(&rays).iter().map(trace).sum::<Color>());
+}
+
+/// 1024 rays into the lecture scene with its spheres replaced by so many, apart from each other.
+#[divan::bench(args = [10, 100, 1000, 10_000], sample_count = 10)]
+fn spheres(bencher: Bencher<'_, '_>, count: usize) {
+    let mut scene = lecture_scene();
+    let red = scene.spheres[0].clone();
+    let side = (count as f32).sqrt();
+    scene.spheres = (0..count)
+        .map(|index| {
+            let (x, z) = (index as f32 % side / side, index as f32 / count as f32);
+            let center = Vec3::new(6.0 * x - 3.0, 0.5, 4.0 * z - 2.0);
+            Object { surface: Sphere { center, radius: 1.0 / side }, ..red.clone() }
+        })
+        .collect();
+    trace(bencher, &scene);
+}
+
+/// 1024 rays into the lecture scene under so many lights.
+#[divan::bench(args = [1, 4, 16, 64], sample_count = 20)]
+fn lights(bencher: Bencher<'_, '_>, count: usize) {
+    let mut scene = lecture_scene();
+    let around = |index| {
+        let angle = index as f32 / count as f32 * std::f32::consts::TAU;
+        let position = Vec3::new(6.0 * angle.sin(), 6.0, 6.0 * angle.cos());
+        PointLight { position, intensity: 60.0 / count as f32, attenuation: true }
+    };
+    scene.lights = (0..count).map(around).collect();
+    scene.lit = count;
+    trace(bencher, &scene);
+}
+
+fn ray() -> Ray {
+    Ray::new(Vec3::new(0.1, 0.2, 3.0), Vec3::new(0.01, -0.02, -1.0))
+}
+
+#[divan::bench]
+fn sphere_hit(bencher: Bencher<'_, '_>) {
+    let sphere = Sphere { center: Vec3::ZERO, radius: 1.0 };
+    bencher.bench_local(|| black_box(&sphere).intersect(black_box(&ray()), 0.0, f32::INFINITY));
+}
+
+#[divan::bench]
+fn triangle_hit(bencher: Bencher<'_, '_>) {
+    let triangle = Triangle::new([Vec3::NEG_ONE, Vec3::X, Vec3::Y]);
+    bencher.bench_local(|| black_box(&triangle).intersect(black_box(&ray()), 0.0, f32::INFINITY));
+}
+
+#[divan::bench]
+fn shade(bencher: Bencher<'_, '_>) {
+    let (k_a, k_d) = (Color::splat(0.1), Color::splat(0.5));
+    let material = Material { k_a, k_d, k_s: 0.5, exponent: 100.0 };
+    let record = IntersectionRecord { t: 2.0, point: Vec3::Z, normal: Vec3::Z };
+    let light = PointLight { position: Vec3::splat(3.0), intensity: 20.0, attenuation: true };
+    let shade = |record| black_box(&material).shade(&ray(), record, black_box(&light), false);
+    bencher.bench_local(|| shade(black_box(&record)));
+}
+
+#[divan::bench]
+fn srgb(bencher: Bencher<'_, '_>) {
+    let color = Color::new(0.2, 0.5, 0.8);
+    bencher.bench_local(|| encode(black_box(color)));
+}
