@@ -1,4 +1,19 @@
-//! What no slide of the lecture changes.
+//! What no slide of the lecture changes: vectors, rays, cameras, controls, explanations, pictures,
+//! and, with the default feature `desktop`, the command line, files and the window.
+//!
+//! A step hands over a [`Step`]: a plain value that renders rows of pixels, lists what can be
+//! changed in it, and explains a pixel. Nothing here knows of spheres, scenes or light, and no step
+//! knows of windows, files or threads. Without `desktop`, nothing asks for a clock, a thread or a
+//! file, so that another front end, such as a browser's, can show a [`Frame`], a [`Control`] and an
+//! [`Explanation`].
+//!
+//! # Conventions
+//!
+//! - The world is right-handed with y up: [`Vec3`].
+//! - Radiance is linear until a pixel is [encoded](encode): [`Color`].
+//! - (u, v) = (0, 0) is the picture's lower left corner: [`Camera`]. Pixels count from the top left
+//!   one: [`Image`].
+//! - t counts in lengths of the ray's direction: [`Ray`].
 
 mod camera;
 mod compare;
