@@ -68,6 +68,7 @@ impl Scene {
         };
         explanation.heading(object.name);
         object.surface.explain(ray, explanation);
+        explanation.line("k_d", object.material.k_d);
         object.material.shade(ray, &record, &self.light).explain(explanation);
     }
 }

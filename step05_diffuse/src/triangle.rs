@@ -21,8 +21,7 @@ impl Triangle {
     /// The triangle with the vertices a, b and c.
     pub fn new([a, b, c]: [Vec3; 3]) -> Self {
         let cross = (b - a).cross(c - a);
-        let normal = cross.normalize_or_zero();
-        Self { a, a_minus_b: a - b, a_minus_c: a - c, cross, normal }
+        Self { a, a_minus_b: a - b, a_minus_c: a - c, cross, normal: cross.normalize_or_zero() }
     }
 
     /// Solves p + t d = a + β (b − a) + γ (c − a), three linear equations: t, and α, β, γ.

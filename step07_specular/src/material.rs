@@ -37,10 +37,12 @@ pub struct Shading {
     pub l_d: Color,
     /// The unit vector to the viewer.
     pub v: Vec3,
-    /// The unit vector half way between v and l.
+    /// The unit vector half way between v and l; for Phong v_r, the mirror image of −l.
     pub h: Vec3,
-    /// The cosine from which the highlight is made.
+    /// n·h; for Phong v_r·v.
     pub cos_alpha: f32,
+    /// max(0, cos α)^p
+    pub highlight: f32,
     /// The specular light.
     pub l_s: f32,
 }
@@ -71,14 +73,14 @@ impl Material {
         // L_d = k_d (I/r²) max(0, n·l)
         let n_dot_l = n.dot(l);
         let l_d = self.k_d * irradiance * n_dot_l.max(0.0);
-        // L_s = k_s (I/r²) max(0, cos α)^p with cos α = n·h, h = (v + l) / |v + l|; Phong: v_r·v
+        // L_s = k_s (I/r²) max(0, cos α)^p
         let v = -ray.direction.normalize();
-        let h = (v + l).normalize_or_zero();
-        let cos_alpha = if phong { reflect(-l, n).dot(v) } else { n.dot(h) };
+        let h = if phong { reflect(-l, n) } else { (v + l).normalize_or_zero() };
+        let cos_alpha = if phong { h.dot(v) } else { n.dot(h) };
         let lit = n_dot_l > 0.0 && self.k_s > 0.0;
         let highlight = if lit { cos_alpha.max(0.0).powf(self.exponent) } else { 0.0 };
         let l_s = self.k_s * irradiance * highlight;
-        Shading { n, l, r_squared, irradiance, n_dot_l, l_d, v, h, cos_alpha, l_s }
+        Shading { n, l, r_squared, irradiance, n_dot_l, l_d, v, h, cos_alpha, highlight, l_s }
     }
 }
 
@@ -92,8 +94,9 @@ impl Shading {
         explanation.line("n·l", self.n_dot_l);
         explanation.line("L_d = k_d (I/r²) max(0, n·l)", self.l_d);
         explanation.line("v", self.v);
-        explanation.line("h", self.h);
-        explanation.line("cos α = n·h, or v_r·v", self.cos_alpha);
+        explanation.line("h = (v + l) / |v + l|, Phong: v_r", self.h);
+        explanation.line("cos α = n·h, Phong: v_r·v", self.cos_alpha);
+        explanation.line("max(0, cos α)^p", self.highlight);
         explanation.line("L_s = k_s (I/r²) max(0, cos α)^p", self.l_s);
     }
 }

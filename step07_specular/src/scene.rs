@@ -118,11 +118,15 @@ impl Scene {
         };
         explanation.heading(object.name);
         object.surface.explain(ray, explanation);
+        explanation.line("k_d", object.material.k_d);
+        explanation.line("k_s", object.material.k_s);
+        explanation.line("p", object.material.exponent);
         explanation.line("L_a = k_a I_a", object.material.k_a * self.ambient);
         for light in self.lights(ray) {
             let blocker = self.shadow(record.point, &light);
             explanation.heading("light");
             explanation.line("position", light.position);
+            explanation.line("I", light.intensity);
             explanation.line("blocked by", blocker.map_or("nothing", |object| object.name));
             object.material.shade(ray, &record, &light, self.phong).explain(explanation);
         }
