@@ -1,14 +1,21 @@
 //! What the test files of this package share.
+//!
+//! Some tests hold to snapshots: files of this folder that the steps themselves made. After a
+//! change that was meant, `UPDATE_SNAPSHOTS=1 cargo test` makes all of them anew; look at what
+//! changed in them before you commit it.
 
+use std::fs;
 use std::path::Path;
 use std::path::PathBuf;
 use std::process::Command;
 use std::sync::LazyLock;
 
+use common::Comparison;
 use common::Frame;
 use common::Size;
 use common::Step;
 use common::View;
+use common::side_by_side;
 use image::RgbImage;
 
 /// The packages of the steps, in order.
@@ -54,6 +61,78 @@ pub fn picture(step: &dyn Step, view: &View, width: usize, height: usize) -> Rgb
 /// The folder that holds all crates.
 pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("this package lies in the workspace")
+}
+
+/// Whether snapshots are to be made anew instead of held to.
+pub fn updating_snapshots() -> bool {
+    std::env::var_os("UPDATE_SNAPSHOTS").is_some_and(|value| !value.is_empty() && value != "0")
+}
+
+/// The picture in a PNG file.
+///
+/// # Panics
+///
+/// When there is none.
+pub fn read_picture(path: &Path) -> RgbImage {
+    let picture = image::open(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    picture.to_rgb8()
+}
+
+/// Compares `found` with `expected`; `others` are named pictures that it may be instead.
+///
+/// # Errors
+///
+/// When they differ: how, in one line, and where to see it. Both pictures and their difference are
+/// then in `name`.png in `folder`.
+///
+/// # Panics
+///
+/// When the folder cannot be written to.
+pub fn compare(
+    name: &str,
+    expected: &RgbImage,
+    found: &RgbImage,
+    others: &[(&str, RgbImage)],
+    folder: &Path,
+) -> Result<Comparison, String> {
+    let comparison = Comparison::new(expected, found, others);
+    if comparison.is_equal() {
+        return Ok(comparison);
+    }
+    let path = folder.join(name).with_extension("png");
+    side_by_side(expected, found).save(&path).expect("the target folder can be written to");
+    let path = path.display();
+    Err(format!("{name}: {comparison}\n  expected, found, 8 × their difference: {path}"))
+}
+
+/// Holds `found` to the snapshot `path`, a PNG, or makes that anew; for the rest see [`compare`].
+///
+/// # Errors
+///
+/// When they differ, and when there is no snapshot.
+///
+/// # Panics
+///
+/// When a file cannot be written.
+pub fn hold_picture(
+    path: &Path,
+    found: &RgbImage,
+    others: &[(&str, RgbImage)],
+    folder: &Path,
+) -> Result<(), String> {
+    if updating_snapshots() {
+        fs::create_dir_all(path.parent().expect("a file in a folder")).expect("a folder");
+        found.save(path).expect("the snapshot can be written");
+        return Ok(());
+    }
+    let shown = path.strip_prefix(root()).unwrap_or(path).display();
+    let remedy = "if the change was meant, run `UPDATE_SNAPSHOTS=1 cargo test`, and look at it";
+    if !path.exists() {
+        return Err(format!("there is no {shown}: {remedy}"));
+    }
+    let name = path.file_stem().and_then(|stem| stem.to_str()).expect("a name");
+    let compared = compare(name, &read_picture(path), found, others, folder);
+    compared.map(drop).map_err(|how| format!("{how}\n  expected is {shown}; {remedy}"))
 }
 
 /// The folder of the built programs: those of all steps are built when it is first asked for.

@@ -1,0 +1,217 @@
+//! The picture of every step, in perspective and parallel, is the committed one in `pictures/`.
+//!
+//! A picture is equal when [`Comparison`] says so, which is what `--compare` asks too.
+//! `UPDATE_SNAPSHOTS=1 cargo test -p tests --test pictures` makes the committed ones anew.
+
+use std::path::Path;
+use std::path::PathBuf;
+
+use common::Color;
+use common::Comparison;
+use common::View;
+use common::encode;
+use image::RgbImage;
+use image::imageops;
+use tests::STEPS;
+use tests::hold_picture;
+use tests::picture;
+use tests::read_picture;
+use tests::step;
+
+const WIDTH: usize = 240;
+const HEIGHT: usize = 135;
+
+fn snapshot(index: usize, projection: usize) -> PathBuf {
+    let name = format!("{}_{}.png", STEPS[index], View::PROJECTIONS[projection]);
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("pictures").join(name)
+}
+
+fn rendered(index: usize, projection: usize) -> RgbImage {
+    let step = step(index);
+    let mut view = step.view();
+    view.projection = projection;
+    picture(&*step, &view, WIDTH, HEIGHT)
+}
+
+/// The committed pictures that step `index` may show by mistake: those of all other steps, and its
+/// own from the other camera.
+fn mistakes(index: usize, projection: usize) -> Vec<(&'static str, RgbImage)> {
+    let other_camera = (View::PROJECTIONS[1 - projection], snapshot(index, 1 - projection));
+    let others = (0..STEPS.len()).filter(|&other| other != index);
+    let others = others.map(|other| (STEPS[other], snapshot(other, projection)));
+    let paths = others.chain([other_camera]).filter(|(_, path)| path.exists());
+    paths.map(|(name, path)| (name, read_picture(&path))).collect()
+}
+
+fn is_the_committed_picture(index: usize, projection: usize) {
+    let found = rendered(index, projection);
+    let others = mistakes(index, projection);
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let held = hold_picture(&snapshot(index, projection), &found, &others, folder);
+    held.unwrap_or_else(|how| panic!("{how}"));
+}
+
+macro_rules! each_step {
+    ($($step:ident = $index:literal;)*) => {
+        $(mod $step {
+            #[test]
+            fn is_the_committed_picture_in_perspective() {
+                super::is_the_committed_picture($index, 0);
+            }
+
+            #[test]
+            fn is_the_committed_picture_in_parallel() {
+                super::is_the_committed_picture($index, 1);
+            }
+        })*
+
+        #[test]
+        fn no_step_is_without_its_pictures() {
+            assert_eq!([$(stringify!($step)),*], STEPS);
+        }
+    };
+}
+
+each_step! {
+    step01_rays = 0;
+    step02_sphere = 1;
+    step03_triangle = 2;
+    step04_scene = 3;
+    step05_diffuse = 4;
+    step06_shadows = 5;
+    step07_specular = 6;
+}
+
+/// What is said of `found` where the lecture's last picture was expected.
+fn said_of(found: &RgbImage) -> String {
+    let comparison = Comparison::new(&rendered(6, 0), found, &mistakes(6, 0));
+    assert!(!comparison.is_equal(), "{comparison}");
+    comparison.to_string()
+}
+
+/// The lecture's last picture with each channel changed.
+fn changed(change: impl Fn(u8) -> u8) -> RgbImage {
+    let mut picture = rendered(6, 0);
+    picture.iter_mut().for_each(|channel| *channel = change(*channel));
+    picture
+}
+
+/// The linear radiance of an sRGB code.
+fn linear(code: u8) -> f32 {
+    let dark = f32::from(code) / 255.0 / 12.92;
+    let bright = ((f32::from(code) / 255.0 + 0.055) / 1.055).powf(2.4);
+    if code <= 10 { dark } else { bright }
+}
+
+fn byte(value: f32) -> u8 {
+    (255.0 * value).round() as u8
+}
+
+#[test]
+fn a_flip_is_recognized() {
+    let picture = rendered(6, 0);
+    let said = said_of(&imageops::flip_vertical(&picture));
+    assert!(
+        said.ends_with("; turned upside down (v = 1 − (row + ½)/height) it would match"),
+        "{said}"
+    );
+    let said = said_of(&imageops::flip_horizontal(&picture));
+    assert!(said.ends_with("; mirrored (u = (col + ½)/width) it would match"), "{said}");
+    let said = said_of(&imageops::rotate180(&picture));
+    assert!(
+        said.ends_with("; turned by 180° (u grows to the right, v upwards) it would match"),
+        "{said}"
+    );
+}
+
+#[test]
+fn exchanged_channels_are_recognized() {
+    for (a, b, names) in [(0, 2, "red and blue"), (0, 1, "red and green"), (1, 2, "green and blue")]
+    {
+        let mut picture = rendered(6, 0);
+        picture.pixels_mut().for_each(|pixel| pixel.0.swap(a, b));
+        let said = said_of(&picture);
+        assert!(said.ends_with(&format!("; with {names} exchanged it would match")), "{said}");
+    }
+}
+
+#[test]
+fn wrong_encodings_are_recognized() {
+    let said = said_of(&changed(|code| byte(linear(code))));
+    assert!(said.ends_with("; sRGB-encoded it would match"), "{said}");
+    let said = said_of(&changed(|code| (255.0 * linear(code)) as u8));
+    assert!(said.ends_with("; sRGB-encoded it would match"), "rounded down: {said}");
+    let said = said_of(&changed(|code| encode(Color::splat(f32::from(code) / 255.0))[0]));
+    assert!(said.ends_with("; sRGB-encoded once, not twice, it would match"), "{said}");
+    let said = said_of(&changed(|code| byte(linear(code).sqrt())));
+    assert!(said.ends_with("; with sRGB in place of a square root it would match"), "{said}");
+    let said = said_of(&changed(|code| byte(linear(code).powf(1.0 / 2.2))));
+    assert!(said.ends_with("; with sRGB in place of the power 1/2.2 it would match"), "{said}");
+}
+
+#[test]
+fn the_picture_of_another_step_or_camera_is_recognized() {
+    for (index, name) in STEPS.iter().enumerate().take(6) {
+        let said = said_of(&rendered(index, 0));
+        assert!(said.ends_with(&format!("; compared with {name} it would match")), "{said}");
+    }
+    let said = said_of(&rendered(6, 1));
+    assert!(said.ends_with("; compared with parallel it would match"), "{said}");
+}
+
+#[test]
+fn a_hint_is_given_although_some_pixels_are_off_for_another_reason() {
+    let mut picture = imageops::flip_vertical(&rendered(6, 0));
+    imageops::replace(&mut picture, &RgbImage::new(5, 4), 10, 20);
+    let said = said_of(&picture);
+    assert!(said.ends_with("it would match but for 20 pixels"), "{said}");
+}
+
+#[test]
+fn an_unknown_mistake_gets_no_hint_but_its_place() {
+    let mut picture = rendered(6, 0);
+    let before = picture.get_pixel(12, 30).0;
+    for (col, row) in [(10, 20), (11, 25), (12, 30), (13, 21)] {
+        picture.get_pixel_mut(col, row).0[0] ^= 8;
+    }
+    picture.get_pixel_mut(12, 30).0[1] ^= 128;
+    let found = picture.get_pixel(12, 30).0;
+    assert_eq!(
+        said_of(&picture),
+        format!(
+            "4 of 32400 pixels are more than 1/255 off, all between (10, 20) and (13, 30), \
+             the worst at (12, 30): {found:?} instead of {before:?}"
+        )
+    );
+}
+
+#[test]
+fn equal_is_one_step_of_255_and_three_strays() {
+    let expected = rendered(6, 0);
+    let compare = |found: &RgbImage| Comparison::new(&expected, found, &[]);
+    assert_eq!(compare(&expected).to_string(), "equal to the last digit");
+    let mut found = changed(|code| code ^ 1);
+    assert_eq!(compare(&found), Comparison::Equal { inexact: WIDTH * HEIGHT, strays: 0 });
+    for col in 0..3 {
+        assert!(compare(&found).is_equal());
+        found.get_pixel_mut(col, 0).0[2] ^= 64;
+    }
+    assert_eq!(compare(&found), Comparison::Equal { inexact: WIDTH * HEIGHT, strays: 3 });
+    found.get_pixel_mut(3, 0).0[2] = expected.get_pixel(3, 0).0[2] ^ 2;
+    assert!(!compare(&found).is_equal());
+}
+
+#[test]
+fn a_small_picture_has_no_strays() {
+    let expected = RgbImage::new(3, 1);
+    let mut found = expected.clone();
+    found.get_pixel_mut(1, 0).0[1] = 2;
+    assert!(!Comparison::new(&expected, &found, &[]).is_equal());
+}
+
+#[test]
+fn another_size_is_not_equal() {
+    let comparison = Comparison::new(&RgbImage::new(4, 3), &RgbImage::new(3, 4), &[]);
+    assert_eq!(comparison.to_string(), "the size is 3x4, and 4x3 was expected");
+    assert!(!comparison.is_equal());
+}
