@@ -4,7 +4,11 @@
 //! change that was meant, `UPDATE_SNAPSHOTS=1 cargo test` makes all of them anew; look at what
 //! changed in them before you commit it.
 
+pub mod povray;
+
 use std::fs;
+use std::io;
+use std::io::Write;
 use std::path::Path;
 use std::path::PathBuf;
 use std::process::Command;
@@ -63,6 +67,12 @@ pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("this package lies in the workspace")
 }
 
+/// Prints a line, also from a test that passes.
+pub fn say(line: &str) {
+    // Tests keep what println prints to themselves. Without standard error there is nobody to tell.
+    let _ = writeln!(io::stderr(), "{line}");
+}
+
 /// Whether snapshots are to be made anew instead of held to.
 pub fn updating_snapshots() -> bool {
     std::env::var_os("UPDATE_SNAPSHOTS").is_some_and(|value| !value.is_empty() && value != "0")
@@ -83,7 +93,7 @@ pub fn read_picture(path: &Path) -> RgbImage {
 /// # Errors
 ///
 /// When they differ: how, in one line, and where to see it. Both pictures and their difference are
-/// then in `name`.png in `folder`.
+/// then in `name`_differs.png in `folder`.
 ///
 /// # Panics
 ///
@@ -99,7 +109,7 @@ pub fn compare(
     if comparison.is_equal() {
         return Ok(comparison);
     }
-    let path = folder.join(name).with_extension("png");
+    let path = folder.join(format!("{name}_differs.png"));
     side_by_side(expected, found).save(&path).expect("the target folder can be written to");
     let path = path.display();
     Err(format!("{name}: {comparison}\n  expected, found, 8 × their difference: {path}"))
