@@ -1,1 +1,542 @@
-//! .
+//! Each step differs from the previous one by its concept and by nothing else.
+//!
+//! [`LESSONS`] says which files a step adds and changes; every other file is the previous step's to
+//! the byte. The diff of each neighbouring pair is committed in `diffs/`, so that whoever reviews a
+//! change sees how the lesson changes. `UPDATE_SNAPSHOTS=1 cargo test -p tests --test diffs` makes
+//! those anew.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use similar::ChangeTag;
+use similar::TextDiff;
+use tests::STEPS;
+use tests::root;
+use tests::updating_snapshots;
+
+/// What a step makes of the previous one, in files of its `src` folder.
+struct Lesson {
+    step: &'static str,
+    adds: &'static [&'static str],
+    changes: &'static [&'static str],
+    /// How many lines of the diff may be added or removed.
+    budget: usize,
+}
+
+const LESSONS: [Lesson; 6] = [
+    Lesson {
+        step: "step02_sphere",
+        adds: &["intersection.rs", "sphere.rs"],
+        changes: &["lib.rs"],
+        budget: 135,
+    },
+    Lesson { step: "step03_triangle", adds: &["triangle.rs"], changes: &["lib.rs"], budget: 97 },
+    Lesson {
+        step: "step04_scene",
+        adds: &["scene.rs"],
+        changes: &["intersection.rs", "lib.rs", "sphere.rs", "triangle.rs"],
+        budget: 160,
+    },
+    Lesson {
+        step: "step05_diffuse",
+        adds: &["light.rs", "material.rs"],
+        changes: &["lib.rs", "scene.rs"],
+        budget: 103,
+    },
+    Lesson {
+        step: "step06_shadows",
+        adds: &[],
+        changes: &["lib.rs", "material.rs", "scene.rs"],
+        budget: 84,
+    },
+    Lesson {
+        step: "step07_specular",
+        adds: &[],
+        changes: &["lib.rs", "material.rs", "scene.rs"],
+        budget: 78,
+    },
+];
+
+/// The largest budget, and the largest median of all.
+const LARGEST: usize = 160;
+const MEDIAN: usize = 100;
+
+/// Lines that leave a file and come back because two concepts happen to need them, with the file.
+const COME_BACK: [(&str, &str); 2] =
+    [("src/lib.rs", "pub shown: usize,"), ("src/lib.rs", "/// What is seen.")];
+
+const RULE: &str =
+    "a fix goes to the earliest step that has the line, and forward into every later one";
+
+/// The files of a crate that Cargo reads, by their path in it. The examples are a step's own.
+type Files = BTreeMap<String, String>;
+
+fn files(step: &str) -> Files {
+    let mut files = Files::new();
+    let mut folders = vec![root().join(step)];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            let shown = path.strip_prefix(root().join(step)).expect("a path in the crate");
+            let shown = shown.to_str().expect("a readable path").replace('\\', "/");
+            if path.is_dir() {
+                if shown != "examples" {
+                    folders.push(path);
+                }
+            } else if shown.ends_with(".rs") || shown.ends_with(".toml") {
+                files.insert(shown, fs::read_to_string(&path).expect("a text file"));
+            }
+        }
+    }
+    files
+}
+
+/// The step before `step`.
+fn previous(step: &str) -> &'static str {
+    let index = STEPS.iter().position(|&name| name == step).expect("a step");
+    STEPS[index - 1]
+}
+
+/// The text of a file, without what two steps never share: in the manifest the crate's name and
+/// description, in `main.rs` the crate's name.
+fn shared(step: &str, path: &str, text: &str) -> String {
+    let own_description = |line: &str| path == "Cargo.toml" && line.starts_with("description = ");
+    let lines = text.split_inclusive('\n').map(|line| match path {
+        _ if own_description(line) => "description = …\n".to_owned(),
+        "Cargo.toml" | "main.rs" => line.replace(step, "STEP"),
+        _ => line.to_owned(),
+    });
+    lines.collect()
+}
+
+/// The number of the first line in which two texts differ, and that line of both.
+fn first_difference<'a>(old: &'a str, new: &'a str) -> (usize, &'a str, &'a str) {
+    let (mut old, mut new) = (old.split('\n'), new.split('\n'));
+    for number in 1.. {
+        match (old.next(), new.next()) {
+            (Some(old), Some(new)) if old == new => {}
+            (old, new) => {
+                let line = |line: Option<&'a str>| line.unwrap_or("(the file has ended)");
+                return (number, line(old), line(new));
+            }
+        }
+    }
+    unreachable!("a text ends")
+}
+
+/// Where the files of a step do not differ from the previous step's as `lesson` says.
+fn undeclared(lesson: &Lesson, old: &Files, new: &Files) -> Vec<String> {
+    let (step, previous) = (lesson.step, previous(lesson.step));
+    let listed = |list: &[&str], path: &str| {
+        path.strip_prefix("src/").is_some_and(|name| list.contains(&name))
+    };
+    let mut faults = Vec::new();
+    for path in old.keys().filter(|&path| !new.contains_key(path)) {
+        faults.push(format!(
+            "{path} of {previous} is missing in {step}: a file never leaves, moves or splits"
+        ));
+    }
+    for (path, text) in new {
+        let (adds, changes) = (listed(lesson.adds, path), listed(lesson.changes, path));
+        let Some(before) = old.get(path) else {
+            if !adds {
+                faults.push(format!(
+                    "{step} has {path}, {previous} has not: if the concept needs the file, list it \
+                     among what {step} adds, in LESSONS of tests/diffs.rs"
+                ));
+            }
+            continue;
+        };
+        let (before, text) = (shared(previous, path, before), shared(step, path, text));
+        match (before == text, changes) {
+            (true, true) => faults.push(format!(
+                "LESSONS of tests/diffs.rs says that {step} changes {path}, and it does not"
+            )),
+            (false, false) => {
+                let (number, before, text) = first_difference(&before, &text);
+                faults.push(format!(
+                    "{path} of {step} differs from {previous}'s at line {number}:\n  \
+                     {previous}: {before}\n  {step}: {text}\n{RULE}; only if the concept of {step} \
+                     needs the change, list the file in LESSONS of tests/diffs.rs"
+                ));
+            }
+            _ => {}
+        }
+        if adds {
+            faults.push(format!(
+                "LESSONS of tests/diffs.rs says that {step} adds {path}, but {previous} has it"
+            ));
+        }
+    }
+    let missing = [lesson.adds, lesson.changes].concat();
+    for name in missing.iter().filter(|name| !new.contains_key(&format!("src/{name}"))) {
+        faults.push(format!("LESSONS of tests/diffs.rs has src/{name}, {step} has not"));
+    }
+    faults
+}
+
+/// The unified diff of the `src` folders of a step and the one before, as git writes it.
+fn unified_diff(step: &str) -> String {
+    let (old_files, new_files) = (files(previous(step)), files(step));
+    let mut text = String::new();
+    for (path, new) in new_files.iter().filter(|(path, _)| path.starts_with("src/")) {
+        let old = old_files.get(path).map_or("", String::as_str);
+        if old == new {
+            continue;
+        }
+        let (before, after) = (format!("{}/{path}", previous(step)), format!("{step}/{path}"));
+        let (command, from) = match old_files.contains_key(path) {
+            true => (format!("diff --git a/{before} b/{after}\n"), format!("a/{before}")),
+            false => (
+                format!("diff --git a/{after} b/{after}\nnew file mode 100644\n"),
+                "/dev/null".to_owned(),
+            ),
+        };
+        text += &command;
+        let diff = TextDiff::from_lines(old, new);
+        text += &diff.unified_diff().header(&from, &format!("b/{after}")).to_string();
+    }
+    text
+}
+
+/// The lines that a unified diff adds and removes, each with its sign and file.
+fn changed_lines(diff: &str) -> Vec<String> {
+    let (mut file, mut in_header, mut lines) = ("", true, Vec::new());
+    for line in diff.lines() {
+        if line.starts_with("diff --git ") {
+            in_header = true;
+        } else if line.starts_with("@@ ") {
+            in_header = false;
+        } else if in_header {
+            file = line.split_once("/src/").map_or(file, |(_, name)| name);
+        } else if line.starts_with(['+', '-']) {
+            lines.push(format!("src/{file}: {line}"));
+        }
+    }
+    lines
+}
+
+/// The lines that `lines` has more often than `others`, at most ten of them.
+fn surplus(title: &str, lines: &[String], others: &[String]) -> String {
+    let mut left = others.to_vec();
+    let surplus = lines.iter().filter(|line| match left.iter().position(|other| other == *line) {
+        Some(place) => {
+            left.swap_remove(place);
+            false
+        }
+        None => true,
+    });
+    let surplus: Vec<_> = surplus.collect();
+    let shown = surplus.iter().take(10).map(|line| format!("\n  {title} {line}"));
+    let more = (surplus.len() > 10).then(|| format!("\n  and {} more", surplus.len() - 10));
+    shown.chain(more).collect()
+}
+
+fn only_declared_files_differ(lesson: &Lesson) {
+    let faults = undeclared(lesson, &files(previous(lesson.step)), &files(lesson.step));
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+fn diff_is_the_committed_one(lesson: &Lesson) {
+    let (step, previous) = (lesson.step, previous(lesson.step));
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("diffs").join(format!("{step}.diff"));
+    let found = unified_diff(step);
+    if updating_snapshots() {
+        fs::create_dir_all(path.parent().expect("a file in a folder")).expect("a folder");
+        fs::write(&path, found).expect("the snapshot can be written");
+        return;
+    }
+    let expected = fs::read_to_string(&path).unwrap_or_default();
+    if found == expected {
+        return;
+    }
+    let (was, is) = (changed_lines(&expected), changed_lines(&found));
+    let mut how = surplus("now also", &is, &was) + &surplus("no longer", &was, &is);
+    if how.is_empty() {
+        how = "\n  only lines around the changes, or their numbers, are others".to_owned();
+    }
+    panic!(
+        "the diff from {previous} to {step} is not tests/diffs/{step}.diff:{how}\nIf the lesson \
+         was not meant to change: {RULE}. If it was, run \
+         `UPDATE_SNAPSHOTS=1 cargo test -p tests --test diffs` and read that file's own diff."
+    );
+}
+
+fn diff_is_within_its_budget(lesson: &Lesson) {
+    let (step, budget) = (lesson.step, lesson.budget);
+    let changed = changed_lines(&unified_diff(step)).len();
+    assert!(
+        changed <= budget,
+        "the diff from {} to {step} has {changed} changed lines, its budget is {budget}. Say the \
+         same in fewer lines, or move to `common` what no slide changes. If the concept needs \
+         them, raise its budget in LESSONS of tests/diffs.rs: to {LARGEST} at most, and the median \
+         of all to {MEDIAN}.",
+        previous(step)
+    );
+}
+
+/// Whether a line says enough to be told from others by its text.
+fn is_telling(line: &str) -> bool {
+    line.chars().filter(|char| char.is_alphanumeric()).count() >= 3
+}
+
+/// Lines that are removed in one place of `old` and added in another.
+fn moved(old: &str, new: &str) -> Vec<String> {
+    let diff = TextDiff::from_lines(old, new);
+    let lines = |tag| {
+        let changes = diff.iter_all_changes().filter(move |change| change.tag() == tag);
+        changes.map(|change| change.value()).filter(|line| is_telling(line))
+    };
+    let added: Vec<&str> = lines(ChangeTag::Insert).collect();
+    lines(ChangeTag::Delete).filter(|line| added.contains(line)).map(str::to_owned).collect()
+}
+
+fn no_line_moves(lesson: &Lesson) {
+    let (step, previous) = (lesson.step, previous(lesson.step));
+    let old = files(previous);
+    for (path, new) in files(step) {
+        let moved = old.get(&path).map_or_else(Vec::new, |old| moved(old, &new));
+        assert!(
+            moved.is_empty(),
+            "{path} of {step} has these lines of {previous} in another order, which makes them \
+             look like news in the diff:\n{}\nLeave them where they are, or move them in the \
+             earliest step that has them and in every later one.",
+            moved.concat()
+        );
+    }
+}
+
+/// What a line of a source file has that makes diffs or the lecture hard to read.
+fn style_fault(line: &str) -> Option<&'static str> {
+    let code = line.trim_start();
+    let comment = code.split_once("//").map_or("", |(_, comment)| comment);
+    let ruler = |line: &str| {
+        ["////", "----", "====", "****", "####", "~~~~", "____", "────", "━━━━", "════"]
+            .iter()
+            .any(|ruler| line.contains(ruler))
+    };
+    let numbered = |line: &str| {
+        line.to_lowercase().split("step").skip(1).any(|rest| {
+            rest.trim_start_matches([' ', '_']).starts_with(|char: char| char.is_ascii_digit())
+        })
+    };
+    let is_use = code.starts_with("use ") || code.starts_with("pub use ");
+    if is_use && code.contains(['{', '*']) {
+        Some("one item a `use`: each gets a line of its own, so a diff shows what came")
+    } else if numbered(line) {
+        Some("no step's number or name: later steps share the line")
+    } else if comment.split(|char: char| !char.is_alphanumeric()).any(|word| word == "NEW") {
+        Some("no NEW: the diff says it, and in the next step it is wrong")
+    } else if ruler(comment) || ruler(code.trim_matches('"')) {
+        Some("no rulers")
+    } else if code.trim_end().contains("  ") {
+        Some("no column alignment: one longer name changes all lines around it")
+    } else {
+        None
+    }
+}
+
+/// The `mod` lines of a source file in which the next one would come first in the alphabet.
+fn misplaced_mod(text: &str) -> Option<&str> {
+    let modules = text.lines().filter_map(|line| {
+        let name = line.strip_prefix("pub ").unwrap_or(line).strip_prefix("mod ")?;
+        name.strip_suffix(';')
+    });
+    let modules: Vec<_> = modules.collect();
+    modules.windows(2).find(|pair| pair[0] > pair[1]).map(|pair| pair[1])
+}
+
+fn source_reads_well(step: &str) {
+    let mut faults = Vec::new();
+    for (path, text) in files(step).iter().filter(|(path, _)| path.starts_with("src/")) {
+        for (number, line) in (1..).zip(text.lines()) {
+            if let Some(fault) = style_fault(line) {
+                faults.push(format!("{step}/{path}:{number}: {fault}\n  {}", line.trim()));
+            }
+        }
+        if let Some(name) = misplaced_mod(text) {
+            faults.push(format!("{step}/{path}: `mod {name}` is not in alphabetical order"));
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+macro_rules! each_step {
+    ($first:ident $($step:ident = $index:literal)*) => {
+        mod $first {
+            #[test]
+            fn source_reads_well() {
+                super::source_reads_well(stringify!($first));
+            }
+        }
+
+        $(mod $step {
+            use super::LESSONS;
+
+            #[test]
+            fn only_declared_files_differ_from_the_previous_step() {
+                super::only_declared_files_differ(&LESSONS[$index]);
+            }
+
+            #[test]
+            fn diff_is_the_committed_one() {
+                super::diff_is_the_committed_one(&LESSONS[$index]);
+            }
+
+            #[test]
+            fn diff_is_within_its_budget() {
+                super::diff_is_within_its_budget(&LESSONS[$index]);
+            }
+
+            #[test]
+            fn no_line_of_the_previous_step_moves() {
+                super::no_line_moves(&LESSONS[$index]);
+            }
+
+            #[test]
+            fn source_reads_well() {
+                super::source_reads_well(stringify!($step));
+            }
+        })*
+
+        #[test]
+        fn no_step_is_without_its_lesson() {
+            assert_eq!([stringify!($first), $(stringify!($step)),*], STEPS);
+            assert_eq!([$(LESSONS[$index].step),*], STEPS[1..]);
+        }
+    };
+}
+
+each_step! {
+    step01_rays
+    step02_sphere = 0
+    step03_triangle = 1
+    step04_scene = 2
+    step05_diffuse = 3
+    step06_shadows = 4
+    step07_specular = 5
+}
+
+#[test]
+fn budgets_are_small() {
+    let mut budgets = LESSONS.map(|lesson| lesson.budget);
+    budgets.sort_unstable();
+    let median = (budgets[2] + budgets[3]).div_ceil(2);
+    assert!(budgets[5] <= LARGEST, "the largest budget is {} lines, not {LARGEST}", budgets[5]);
+    assert!(median <= MEDIAN, "the median of the budgets is {median} lines, not {MEDIAN}");
+}
+
+/// A line that two steps have and a step between them has not was changed there alone.
+#[test]
+fn no_line_leaves_a_file_and_comes_back() {
+    let steps: Vec<(&str, Files)> = STEPS.iter().map(|step| (*step, files(step))).collect();
+    let mut faults = Vec::new();
+    for (path, first) in steps.iter().flat_map(|(_, files)| files) {
+        for line in first.lines().filter(|line| is_telling(line)) {
+            let known = COME_BACK.contains(&(path.as_str(), line.trim()));
+            let with_file = steps.iter().filter_map(|(step, files)| {
+                let text = files.get(path)?;
+                Some((*step, text.lines().any(|other| other.trim() == line.trim())))
+            });
+            let mut with_file = with_file.skip_while(|(_, has)| !has);
+            let without = with_file.find(|(_, has)| !has);
+            let back = with_file.find(|(_, has)| *has);
+            if let (Some((without, _)), Some((back, _)), false) = (without, back, known) {
+                faults.push(format!(
+                    "{path} of {without} has not, although earlier steps and {back} have:\n  {}",
+                    line.trim()
+                ));
+            }
+        }
+    }
+    faults.sort();
+    faults.dedup();
+    assert!(
+        faults.is_empty(),
+        "{}\nWas it changed there alone? {RULE}. If the line is in fact another one that reads the \
+         same, list it in COME_BACK of tests/diffs.rs.",
+        faults.join("\n")
+    );
+}
+
+fn files_of(texts: &[(&str, &str)]) -> Files {
+    texts.iter().map(|(path, text)| ((*path).to_owned(), (*text).to_owned())).collect()
+}
+
+#[test]
+fn an_undeclared_difference_is_told_with_its_line() {
+    let lesson =
+        Lesson { step: "step03_triangle", adds: &["triangle.rs"], changes: &["lib.rs"], budget: 0 };
+    let old = [
+        ("Cargo.toml", "name = \"step02_sphere\"\ndescription = \"Round\"\n"),
+        ("main.rs", "step02_sphere::run()\n"),
+        ("src/lib.rs", "mod sphere;\n"),
+        ("src/sphere.rs", "one\ntwo\n"),
+    ];
+    let new = [
+        ("Cargo.toml", "name = \"step03_triangle\"\ndescription = \"Flat\"\n"),
+        ("main.rs", "step03_triangle::run()\n"),
+        ("src/lib.rs", "mod sphere;\nmod triangle;\n"),
+        ("src/sphere.rs", "one\ntwo\n"),
+        ("src/triangle.rs", "three\n"),
+    ];
+    let faults = |new: &[(&str, &str)]| {
+        let faults = undeclared(&lesson, &files_of(&old), &files_of(new));
+        faults.into_iter().map(|fault| fault.lines().next().expect("a line").to_owned())
+    };
+    assert_eq!(faults(&new).next(), None);
+    let with = |index: usize, text| {
+        let mut new = new;
+        new[index].1 = text;
+        faults(&new).collect::<Vec<_>>()
+    };
+    let differs = "of step03_triangle differs from step02_sphere's at line";
+    assert_eq!(with(0, "name = \"step03_triangle\"\n"), [format!("Cargo.toml {differs} 2:")]);
+    assert_eq!(with(1, "step03_triangle::go()\n"), [format!("main.rs {differs} 1:")]);
+    assert_eq!(with(3, "one\ntoo\n"), [format!("src/sphere.rs {differs} 2:")]);
+    assert_eq!(with(3, "one\ntwo"), [format!("src/sphere.rs {differs} 3:")]);
+    assert_eq!(with(2, "mod sphere;\n").len(), 1, "declared, but not changed");
+    assert_eq!(faults(&new[..4]).count(), 1, "declared, but not added");
+    assert_eq!(faults(&new[1..]).count(), 1, "left out");
+    let more = [&new[..], &[("src/more.rs", "")]].concat();
+    assert_eq!(faults(&more).count(), 1, "added, but not declared");
+}
+
+#[test]
+fn a_moved_function_is_told_from_a_changed_one() {
+    let (first, second) = ("fn first() {\n    1;\n}\n", "fn second() {\n    2;\n}\n");
+    let third = "fn third() {\n    3;\n}\n";
+    let old = [first, second].concat();
+    assert!(!moved(&old, &[second, first].concat()).is_empty());
+    assert_eq!(moved(&old, &[first, third].concat()), [""; 0]);
+    assert_eq!(moved(&old, &[first, third, second].concat()), [""; 0]);
+}
+
+#[test]
+fn each_rule_of_style_finds_its_fault() {
+    for (line, rule) in [
+        ("use common::{Ray, Vec3};", "one item"),
+        ("    use common::*;", "one item"),
+        ("// as in step 4", "no step's number"),
+        ("let step05_color = 1;", "no step's number"),
+        ("//! Step06 adds shadows", "no step's number"),
+        ("let h = v + l; // NEW", "no NEW"),
+        ("// -------- spheres", "no rulers"),
+        ("//////////", "no rulers"),
+        ("let t     = 1.0;", "no column alignment"),
+        ("    radius: f32,  // in metres", "no column alignment"),
+    ] {
+        let fault = style_fault(line);
+        assert!(fault.is_some_and(|fault| fault.starts_with(rule)), "{line}: {fault:?}");
+    }
+    for line in [
+        "use std::fmt::Write as _;",
+        "    /// The next step of `Step`, for a new Newton iteration: 2 * 3 / 4 - 5 // 6",
+        "    let result = match value { _ => 1 };",
+    ] {
+        assert_eq!(style_fault(line), None, "{line}");
+    }
+    assert_eq!(misplaced_mod("mod ray;\npub mod scene;\nmod light;\n"), Some("light"));
+    assert_eq!(misplaced_mod("pub mod light;\nmod ray;\n\nuse b;\nuse a;\n"), None);
+}
