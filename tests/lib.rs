@@ -70,7 +70,7 @@ pub fn root() -> &'static Path {
 /// Prints a line, also from a test that passes.
 pub fn say(line: &str) {
     // Tests keep what println prints to themselves. Without standard error there is nobody to tell.
-    let _ = writeln!(io::stderr(), "{line}");
+    let _ = io::stderr().write_all(format!("{line}\n").as_bytes());
 }
 
 /// Whether snapshots are to be made anew instead of held to.
