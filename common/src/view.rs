@@ -1,9 +1,15 @@
+use std::ops::RangeInclusive;
+
 use crate::Camera;
 use crate::Control;
 use crate::FIELD_OF_VIEW;
 use crate::OrthographicCamera;
 use crate::PerspectiveCamera;
 use crate::Vec3;
+
+const AZIMUTH: RangeInclusive<f32> = -180.0..=180.0;
+const ELEVATION: RangeInclusive<f32> = -89.0..=89.0;
+const DISTANCE: RangeInclusive<f32> = 0.1..=100.0;
 
 /// Where the picture is seen from, and how: a viewpoint that circles a target.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,6 +70,19 @@ impl View {
         self.target + self.distance * direction
     }
 
+    /// Circles the target by these angles in degrees; the elevation stops at its ends.
+    pub fn orbit(&mut self, right: f32, up: f32) {
+        let turn = AZIMUTH.end() - AZIMUTH.start();
+        let azimuth = self.azimuth + right;
+        self.azimuth = (azimuth - AZIMUTH.start()).rem_euclid(turn) + AZIMUTH.start();
+        self.elevation = (self.elevation + up).clamp(*ELEVATION.start(), *ELEVATION.end());
+    }
+
+    /// Multiplies the distance by `factor`, as far as its range goes.
+    pub fn zoom(&mut self, factor: f32) {
+        self.distance = (self.distance * factor).clamp(*DISTANCE.start(), *DISTANCE.end());
+    }
+
     /// The camera for a picture whose width over height is `aspect`.
     ///
     /// The parallel one shows as much at the target as the perspective one does there.
@@ -82,9 +101,9 @@ impl View {
     pub fn controls(&mut self) -> Vec<Control<'_>> {
         vec![
             Control::choice("camera", &Self::PROJECTIONS, &mut self.projection),
-            Control::number("azimuth", -180.0..=180.0, &mut self.azimuth),
-            Control::number("elevation", -89.0..=89.0, &mut self.elevation),
-            Control::logarithmic("distance", 0.1..=100.0, &mut self.distance),
+            Control::number("azimuth", AZIMUTH, &mut self.azimuth),
+            Control::number("elevation", ELEVATION, &mut self.elevation),
+            Control::logarithmic("distance", DISTANCE, &mut self.distance),
             Control::number("fov", FIELD_OF_VIEW, &mut self.field_of_view),
         ]
     }

@@ -66,11 +66,51 @@ pub(crate) fn save_png(picture: &RgbImage, path: &Path) -> Result<()> {
     written.with_context(|| format!("cannot write {}", path.display()))
 }
 
+/// Writes `picture` as `stem-1.png`, or with the next number under which there is no file yet.
+///
+/// # Errors
+///
+/// When the folder is read-only or the disk is full.
+pub(crate) fn save_new_png(picture: &RgbImage, stem: &str) -> Result<PathBuf> {
+    let mut number = 1;
+    loop {
+        let path = PathBuf::from(format!("{stem}-{number}.png"));
+        match put(picture, &path, name_new) {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => number += 1,
+            written => {
+                written.with_context(|| format!("cannot write {}", path.display()))?;
+                return Ok(path);
+            }
+        }
+    }
+}
+
+/// Gives the file `part` the name `path`, unless there is such a file.
+fn name_new(part: &Path, path: &Path) -> io::Result<()> {
+    match fs::hard_link(part, path) {
+        Ok(()) => fs::remove_file(part),
+        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => Err(error),
+        // Some file systems, such as a USB stick's, have no links.
+        Err(_) if path.exists() => Err(io::ErrorKind::AlreadyExists.into()),
+        Err(_) => fs::rename(part, path),
+    }
+}
+
 fn replace(picture: &RgbImage, path: &Path) -> io::Result<()> {
-    let mut name = OsString::from(".");
-    name.push(path.file_name().ok_or(io::ErrorKind::InvalidInput)?);
-    name.push(format!(".{}.part", std::process::id()));
-    let part = path.with_file_name(name);
+    put(picture, path, |part, path| fs::rename(part, path))
+}
+
+/// Writes all of `picture` under another name in the same folder, which `name` then changes to
+/// `path`.
+fn put(
+    picture: &RgbImage,
+    path: &Path,
+    name: impl FnOnce(&Path, &Path) -> io::Result<()>,
+) -> io::Result<()> {
+    let mut hidden = OsString::from(".");
+    hidden.push(path.file_name().ok_or(io::ErrorKind::InvalidInput)?);
+    hidden.push(format!(".{}.part", std::process::id()));
+    let part = path.with_file_name(hidden);
 
     let file = {
         let mut unfinished = unfinished();
@@ -80,12 +120,12 @@ fn replace(picture: &RgbImage, path: &Path) -> io::Result<()> {
     };
     let written = write_png(picture, file);
     let mut unfinished = unfinished();
-    let replaced = written.and_then(|()| fs::rename(&part, path));
-    if replaced.is_err() {
+    let named = written.and_then(|()| name(&part, path));
+    if named.is_err() {
         let _ = fs::remove_file(&part);
     }
     *unfinished = None;
-    replaced
+    named
 }
 
 fn write_png(picture: &RgbImage, file: File) -> io::Result<()> {

@@ -1,7 +1,9 @@
 //! What needs a desktop: the command line, files and the window.
 
 mod command_line;
+mod drawing;
 mod file;
+mod overlay;
 mod progress;
 mod window;
 

@@ -1,27 +1,495 @@
+use std::collections::VecDeque;
+use std::env;
+use std::mem;
+use std::ops::ControlFlow;
+use std::sync::mpsc;
+use std::sync::mpsc::Receiver;
+use std::sync::mpsc::Sender;
+use std::thread;
+use std::time::Duration;
+use std::time::Instant;
+
+use anyhow::Context;
 use anyhow::Result;
-use anyhow::bail;
+use anyhow::anyhow;
+use anyhow::ensure;
+use minifb::InputCallback;
+use minifb::Key;
+use minifb::MouseButton;
+use minifb::MouseMode;
+use minifb::ScaleMode;
+use minifb::WindowOptions;
 
 use super::command_line::Program;
+use super::command_line::controls;
+use super::command_line::print;
+use super::command_line::report;
+use super::drawing::Drawing;
+use super::file;
+use super::overlay::Caption;
+use super::overlay::Overlay;
+use super::overlay::Target;
+use super::overlay::mark;
+use crate::Control;
+use crate::Pixel;
 use crate::Size;
 use crate::Step;
 use crate::View;
 
-/// The window's keys and what they do.
-pub(crate) const KEYS: &[(&str, &str)] = &[("Esc", "quit")];
+/// The window's keys, what else it understands, and what they do.
+pub(crate) const KEYS: &[(&str, &str)] = &[
+    ("Up, Down", "select a control"),
+    ("Left, Right", "change it; with Shift in fine steps"),
+    ("Home", "reset all controls"),
+    ("Space", "hide or show what lies over the picture"),
+    ("F1", "show or hide these keys"),
+    ("F2", "save the picture as a new PNG"),
+    ("Esc", "quit"),
+    ("drag", "orbit; on a slider, change its control"),
+    ("wheel", "nearer or further"),
+    ("click", "print how the pixel came by its colour"),
+];
 
-pub(crate) struct Window;
+const HINT: &str = "Up/Down select  Left/Right change  F1 all keys  Space hide";
+
+/// From one picture to the next while something is being changed, the work of the window system
+/// included: 40 a second.
+const PERIOD: Duration = Duration::from_millis(25);
+
+/// Between two looks at keys and mouse when there is nothing to do.
+const REST: Duration = Duration::from_millis(8);
+
+/// How long a picture that is being refined stays as it is.
+const REFRESH: Duration = Duration::from_millis(100);
+
+/// X11 forgets what was covered, and minifb does not tell when it is seen again; so the pixels are
+/// sent again now and then, but for no more than this share of the time.
+const RESEND: Duration = Duration::from_millis(300);
+const RESEND_SHARE: u32 = 50;
+
+/// The longest side that every window system takes.
+const LONGEST: usize = 16384;
+
+/// How far the mouse may move during a click, in pixels.
+const CLICK: f32 = 3.0;
+
+/// What a notch of the wheel multiplies the distance by.
+const ZOOM: f32 = 0.9;
+
+/// A window without content yet.
+pub(crate) struct Window {
+    window: minifb::Window,
+    keys: Receiver<(Key, bool)>,
+    /// Notches of the wheel that nobody has asked for.
+    wheel: f32,
+    /// What is on the screen. minifb may read it at any time until it is given other pixels.
+    shown: Vec<u32>,
+    spare: Vec<u32>,
+    sent: Instant,
+    /// How long it took to compose and send the pixels.
+    cost: Duration,
+}
+
+struct Keys(Sender<(Key, bool)>);
+
+impl InputCallback for Keys {
+    fn add_char(&mut self, _: u32) {}
+
+    fn set_key_state(&mut self, key: Key, down: bool) {
+        // The receiver is gone only when the window closes.
+        let _ = self.0.send((key, down));
+    }
+}
 
 impl Window {
-    pub(crate) fn open(_program: &Program, _size: Size) -> Result<Self> {
-        bail!("no display")
+    /// Opens a window.
+    ///
+    /// # Errors
+    ///
+    /// When there is no display, or the window would be too large for it.
+    pub(crate) fn open(program: &Program, size: Size) -> Result<Self> {
+        let (width, height) = (size.width(), size.height());
+        ensure!(
+            width.max(height) <= LONGEST,
+            "one is at most {LONGEST} pixels wide and high, not {size}"
+        );
+        let options = WindowOptions {
+            resize: true,
+            scale_mode: ScaleMode::Stretch,
+            ..WindowOptions::default()
+        };
+        let title = format!("{}: {}", program.name, program.concept);
+        let mut window = minifb::Window::new(&title, width, height, options).map_err(reason)?;
+        // Who has something to do must not wait, and who has nothing sleeps by itself.
+        window.set_target_fps(0);
+        let (sender, keys) = mpsc::channel();
+        window.set_input_callback(Box::new(Keys(sender)));
+        let (shown, spare) = (Vec::new(), Vec::new());
+        let (sent, cost) = (Instant::now(), Duration::ZERO);
+        Ok(Self { window, keys, wheel: 0.0, shown, spare, sent, cost })
     }
+
+    /// Shows what `step` shows from `view` until the window is closed.
+    ///
+    /// # Errors
+    ///
+    /// When the window system, or standard output, fails.
     pub(crate) fn run(
         self,
-        _program: &Program,
-        _step: Box<dyn Step>,
-        _view: View,
-        _samples: usize,
+        program: &Program,
+        step: Box<dyn Step>,
+        view: View,
+        samples: usize,
     ) -> Result<()> {
+        file::remove_unfinished_on_signal()?;
+        let size = self.size().context("the window has no size")?;
+        let drawing = Drawing::new(size, samples, view.camera(size.aspect()));
+        Session {
+            program,
+            window: self,
+            step,
+            view,
+            drawing,
+            overlay: Overlay::default(),
+            held: Held::Nothing,
+            fine: false,
+            active: false,
+            saving: false,
+            marked: None,
+            note: None,
+            moved: true,
+            touched: true,
+            shown: VecDeque::new(),
+        }
+        .run()
+    }
+
+    /// The size of its picture; none while it is minimised.
+    fn size(&self) -> Option<Size> {
+        let (width, height) = self.window.get_size();
+        Size::new(width, height).ok()
+    }
+
+    fn poll(&mut self) {
+        self.window.update();
+        self.collect();
+    }
+
+    /// minifb keeps the wheel's turns only until it looks for new ones.
+    fn collect(&mut self) {
+        if let Some((_, notches)) = self.window.get_scroll_wheel() {
+            // Windows and Wayland count ten or more to a notch.
+            self.wheel += notches.clamp(-3.0, 3.0);
+        }
+    }
+
+    /// Puts pixels on the screen, once `draw` has drawn over them.
+    fn send(&mut self, size: Size, pixels: &[u32], draw: impl FnOnce(&mut [u32])) -> Result<()> {
+        let start = Instant::now();
+        self.spare.clear();
+        self.spare.extend_from_slice(pixels);
+        draw(&mut self.spare);
+        self.window
+            .update_with_buffer(&self.spare, size.width(), size.height())
+            .map_err(|error| anyhow!("cannot show the picture: {error}"))?;
+        mem::swap(&mut self.shown, &mut self.spare);
+        self.collect();
+        self.sent = Instant::now();
+        self.cost = start.elapsed();
         Ok(())
+    }
+
+    fn is_stale(&self) -> bool {
+        self.sent.elapsed() > RESEND.max(RESEND_SHARE * self.cost)
+    }
+}
+
+/// Why there is no window, in one line.
+fn reason(error: minifb::Error) -> anyhow::Error {
+    let text = error.to_string();
+    if !text.contains("XOpenDisplay") {
+        return anyhow!("{}", text.lines().next().unwrap_or_default().to_owned());
+    }
+    match env::var("DISPLAY") {
+        Ok(display) if !display.is_empty() => anyhow!("the display {display} does not answer"),
+        _ => anyhow!("no display"),
+    }
+}
+
+/// What the mouse button took hold of.
+#[derive(Clone, Copy)]
+enum Held {
+    Nothing,
+    /// The picture, at a place and as it was seen then; a click as long as it does not move.
+    Picture {
+        at: (f32, f32),
+        azimuth: f32,
+        elevation: f32,
+        click: bool,
+    },
+    /// The slider of a control.
+    Slider(usize),
+    /// A part of the overlay without effect.
+    Panel,
+}
+
+/// A window and what is seen in it.
+struct Session<'a> {
+    program: &'a Program,
+    window: Window,
+    step: Box<dyn Step>,
+    view: View,
+    drawing: Drawing,
+    overlay: Overlay,
+    held: Held,
+    /// Shift is down.
+    fine: bool,
+    active: bool,
+    /// The picture is to be saved as soon as it is complete; until then further input waits.
+    saving: bool,
+    /// The pixel that was explained last, as a part of the width and of the height.
+    marked: Option<(f32, f32)>,
+    /// What was done last, if it cannot be seen.
+    note: Option<String>,
+    /// The picture is not that of the controls any more.
+    moved: bool,
+    /// What is on the screen is not all that there is to be shown.
+    touched: bool,
+    /// When the pictures of the last second were shown.
+    shown: VecDeque<Instant>,
+}
+
+impl Session<'_> {
+    fn run(mut self) -> Result<()> {
+        loop {
+            self.window.poll();
+            if !self.window.window.is_open() || self.input()?.is_break() {
+                return Ok(());
+            }
+            let Some(size) = self.window.size() else {
+                thread::sleep(REST);
+                continue;
+            };
+            if mem::take(&mut self.moved) || size != self.drawing.size() {
+                let draft = PERIOD.saturating_sub(self.window.cost).max(PERIOD / 4);
+                self.drawing.restart(size, self.view.camera(size.aspect()), draft);
+            }
+            let idle = self.drawing.is_complete();
+            if self.drawing.work(&*self.step) {
+                self.shown.push_back(Instant::now());
+                self.touched = true;
+            }
+            if self.saving && self.drawing.is_complete() {
+                self.save();
+            }
+            let refined = !idle && self.window.sent.elapsed() > REFRESH;
+            if !self.drawing.is_drafting() && (self.touched || refined || self.window.is_stale()) {
+                self.touched = false;
+                self.send()?;
+            } else if idle {
+                thread::sleep(REST);
+            }
+        }
+    }
+
+    fn send(&mut self) -> Result<()> {
+        let status = self.status();
+        let size = self.drawing.size();
+        let Self { program, step, view, overlay, marked, .. } = self;
+        let caption = Caption {
+            name: program.name,
+            concept: program.concept,
+            status: &status,
+            hint: self.note.as_deref().unwrap_or(HINT),
+            keys: KEYS,
+        };
+        self.window.send(size, self.drawing.pixels(), |pixels| {
+            if let Some((u, v)) = *marked {
+                let place = |part: f32, pixels: usize| (part * pixels as f32) as usize;
+                mark(pixels, size, place(u, size.width()), place(v, size.height()));
+            }
+            overlay.draw(pixels, size, &controls(&mut **step, view), &caption);
+        })
+    }
+
+    /// How long the last pass took, how fine it was, and how many there were in a second.
+    fn status(&mut self) -> String {
+        let second = Duration::from_secs(1);
+        self.shown.retain(|shown| shown.elapsed() < second);
+        let finished = self.drawing.finished();
+        let mut status = format!("{:.1} ms", finished.time.as_secs_f64() * 1e3);
+        if finished.grid > 1 {
+            status.push_str(&format!(", 1/{} size", finished.grid));
+        }
+        if finished.samples > 1 {
+            status.push_str(&format!(", {0}x{0} rays a pixel", finished.samples));
+        }
+        // Fewer are single changes, no movement.
+        if self.shown.len() >= 10 {
+            status.push_str(&format!(", {}/s", self.shown.len()));
+        }
+        status
+    }
+
+    /// Takes all keys and the mouse into account; a break when the program shall end.
+    fn input(&mut self) -> Result<ControlFlow<()>> {
+        let active = self.window.window.is_active();
+        if mem::replace(&mut self.active, active) && !active {
+            // Who leaves by Alt+Shift+Tab lets go of Shift elsewhere.
+            self.fine = false;
+        }
+        while !self.saving {
+            match self.window.keys.try_recv() {
+                Ok((Key::Escape, true)) => return Ok(ControlFlow::Break(())),
+                Ok((Key::LeftShift | Key::RightShift, down)) => self.fine = down,
+                Ok((key, true)) => self.key(key),
+                Ok((_, false)) => {}
+                Err(_) => break,
+            }
+        }
+        if !self.saving {
+            self.mouse()?;
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+
+    fn key(&mut self, key: Key) {
+        let nudge = if self.fine { 0.1 } else { 1.0 };
+        match key {
+            Key::Up => self.select(-1),
+            Key::Down => self.select(1),
+            Key::Left => self.change(self.overlay.selected, |control| control.nudge(-nudge)),
+            Key::Right => self.change(self.overlay.selected, |control| control.nudge(nudge)),
+            Key::Home => {
+                (self.step, self.view) = self.program.start();
+                self.marked = None;
+                self.moved = true;
+            }
+            Key::Space => self.overlay.hidden = !self.overlay.hidden,
+            Key::F1 => {
+                self.overlay.help = self.overlay.hidden || !self.overlay.help;
+                self.overlay.hidden = false;
+            }
+            Key::F2 => self.saving = true,
+            _ => return,
+        }
+        self.note = None;
+        self.touched = true;
+    }
+
+    fn select(&mut self, by: isize) {
+        let count = self.controls().len();
+        self.overlay.select(by, count);
+    }
+
+    fn controls(&mut self) -> Vec<Control<'_>> {
+        controls(&mut *self.step, &mut self.view)
+    }
+
+    fn change(&mut self, index: usize, change: impl FnOnce(&mut Control<'_>)) {
+        let mut controls = self.controls();
+        let Some(control) = controls.get_mut(index) else {
+            return;
+        };
+        let before = control.fraction();
+        change(control);
+        let moved = control.fraction() != before;
+        self.moved |= moved;
+    }
+
+    fn mouse(&mut self) -> Result<()> {
+        let notches = mem::take(&mut self.window.wheel);
+        if notches != 0.0 {
+            self.view.zoom(ZOOM.powf(notches));
+            self.moved = true;
+        }
+        let down = self.window.window.get_mouse_down(MouseButton::Left);
+        let Some(at) = self.window.window.get_mouse_pos(MouseMode::Pass) else {
+            return Ok(());
+        };
+        match (self.held, down) {
+            (Held::Nothing, true) => self.press(at),
+            (Held::Nothing, false) => {}
+            (_, true) => self.drag(at),
+            (held, false) => {
+                self.held = Held::Nothing;
+                if let Held::Picture { at, click: true, .. } = held {
+                    self.explain(at)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn press(&mut self, at: (f32, f32)) {
+        let (size, count) = (self.drawing.size(), self.controls().len());
+        let View { azimuth, elevation, .. } = self.view;
+        self.held = match self.overlay.target(size, count, at.0, at.1) {
+            Target::Picture => Held::Picture { at, azimuth, elevation, click: true },
+            Target::Panel => Held::Panel,
+            Target::Control(index, on_slider) => {
+                self.overlay.selected = index;
+                self.touched = true;
+                match on_slider {
+                    Some(fraction) => {
+                        self.change(index, |control| control.set_fraction(fraction));
+                        Held::Slider(index)
+                    }
+                    None => Held::Panel,
+                }
+            }
+        };
+    }
+
+    fn drag(&mut self, (x, y): (f32, f32)) {
+        let size = self.drawing.size();
+        match &mut self.held {
+            Held::Nothing | Held::Panel => {}
+            Held::Slider(index) => {
+                let (index, fraction) = (*index, self.overlay.fraction(size, x));
+                self.change(index, |control| control.set_fraction(fraction));
+            }
+            Held::Picture { at, azimuth, elevation, click } => {
+                let (right, down) = (x - at.0, y - at.1);
+                if *click && right.hypot(down) <= CLICK {
+                    return;
+                }
+                *click = false;
+                // From where the drag began, so that it does not matter in how many moves.
+                let mut view = self.view.clone();
+                (view.azimuth, view.elevation) = (*azimuth, *elevation);
+                let angle = 180.0 / size.height() as f32;
+                view.orbit(-right * angle, down * angle);
+                self.moved |= view != self.view;
+                self.view = view;
+            }
+        }
+    }
+
+    /// Prints how the pixel at a place came by its colour, and marks it.
+    fn explain(&mut self, (x, y): (f32, f32)) -> Result<()> {
+        let size = self.drawing.size();
+        let (width, height) = (size.width(), size.height());
+        let col = (x.max(0.0) as usize).min(width - 1);
+        let row = (y.max(0.0) as usize).min(height - 1);
+        let pixel = Pixel { col, row, width, height };
+        let camera = self.view.camera(size.aspect());
+        print(&self.step.explain(&*camera, pixel).to_string())?;
+        self.marked = Some(((col as f32 + 0.5) / width as f32, (row as f32 + 0.5) / height as f32));
+        self.note = Some(format!("pixel ({col}, {row}): see the terminal"));
+        self.touched = true;
+        Ok(())
+    }
+
+    fn save(&mut self) {
+        self.saving = false;
+        let size = self.drawing.size();
+        let done = match file::save_new_png(&self.drawing.picture(), self.program.name) {
+            Ok(path) => format!("{size} written to {}", path.display()),
+            Err(error) => format!("{error:#}"),
+        };
+        report(self.program, &done);
+        self.note = Some(done);
+        self.touched = true;
     }
 }

@@ -1,0 +1,201 @@
+use std::time::Duration;
+use std::time::Instant;
+
+use image::RgbImage;
+use rayon::iter::IndexedParallelIterator;
+use rayon::iter::ParallelIterator;
+use rayon::slice::ParallelSliceMut;
+
+use crate::Camera;
+use crate::Frame;
+use crate::Size;
+use crate::Step;
+
+/// How long a pass runs before the window is looked after again: a draft, which is only shown
+/// when it is complete, and one that refines.
+const DRAFT_SLICE: Duration = Duration::from_millis(50);
+const SLICE: Duration = Duration::from_millis(12);
+
+/// How long the rows take that are rendered between two looks at the clock.
+const BATCH: Duration = Duration::from_millis(4);
+
+/// The coarsest grid has one ray for a square with sides of so many pixels.
+const COARSEST: usize = 32;
+
+/// A picture in the making, a slice of time after the other: first a draft on a grid so coarse
+/// that it is there at once, then with a ray for every pixel, then with all samples.
+pub(crate) struct Drawing {
+    size: Size,
+    samples: usize,
+    camera: Box<dyn Camera>,
+    pixels: Vec<u32>,
+    /// The pass that is being rendered; none when all are done.
+    pass: Option<Pass>,
+    finished: Finished,
+    /// How long a ray took in the last pass, in seconds.
+    cost: f64,
+}
+
+/// What was done last.
+#[derive(Clone, Copy)]
+pub(crate) struct Finished {
+    pub(crate) grid: usize,
+    pub(crate) samples: usize,
+    pub(crate) time: Duration,
+}
+
+#[derive(Clone, Copy)]
+struct Pass {
+    /// A square with sides of so many pixels has the same colour.
+    grid: usize,
+    samples: usize,
+    row: usize,
+    time: Duration,
+    draft: bool,
+}
+
+impl Pass {
+    fn new(grid: usize, samples: usize, draft: bool) -> Self {
+        Self { grid, samples, row: 0, time: Duration::ZERO, draft }
+    }
+
+    fn size(&self, full: Size) -> Size {
+        let coarse = |pixels: usize| pixels.div_ceil(self.grid);
+        // At least one pixel, and no more than the full size has.
+        Size::new(coarse(full.width()), coarse(full.height())).unwrap_or(full)
+    }
+
+    fn rays_per_row(&self, full: Size) -> usize {
+        self.size(full).width() * self.samples * self.samples
+    }
+}
+
+impl Drawing {
+    /// A black picture, to be started.
+    pub(crate) fn new(size: Size, samples: usize, camera: Box<dyn Camera>) -> Self {
+        Self {
+            size,
+            samples,
+            camera,
+            pixels: vec![0; size.width() * size.height()],
+            pass: None,
+            finished: Finished { grid: 1, samples, time: Duration::ZERO },
+            cost: 1e-6,
+        }
+    }
+
+    pub(crate) fn size(&self) -> Size {
+        self.size
+    }
+
+    /// As much of the picture as there is, as 0RGB.
+    pub(crate) fn pixels(&self) -> &[u32] {
+        &self.pixels
+    }
+
+    pub(crate) fn finished(&self) -> Finished {
+        self.finished
+    }
+
+    /// Whether there is nothing left to be done.
+    pub(crate) fn is_complete(&self) -> bool {
+        self.pass.is_none()
+    }
+
+    /// Whether the pixels are part of one picture and part of the next.
+    pub(crate) fn is_drafting(&self) -> bool {
+        self.pass.is_some_and(|pass| pass.draft)
+    }
+
+    /// Starts again, as something was changed; the first pass shall take no longer than `draft`.
+    pub(crate) fn restart(&mut self, size: Size, camera: Box<dyn Camera>, draft: Duration) {
+        if let Some(pass) = &self.pass {
+            let rays = pass.row * pass.rays_per_row(self.size);
+            if rays > 0 {
+                self.cost = self.cost.max(pass.time.as_secs_f64() / rays as f64);
+            }
+        }
+        if self.size != size {
+            self.size = size;
+            self.pixels = vec![0; size.width() * size.height()];
+        }
+        self.camera = camera;
+        let affordable = draft.as_secs_f64() / self.cost;
+        let is_affordable = |grid: &usize| {
+            let coarse = Pass::new(*grid, 1, true).size(size);
+            (coarse.width() * coarse.height()) as f64 <= affordable
+        };
+        let grid = (1..COARSEST).find(is_affordable).unwrap_or(COARSEST);
+        self.pass = Some(Pass::new(grid, 1, true));
+    }
+
+    /// Renders for a slice of time, or until a pass is done; whether one was.
+    pub(crate) fn work(&mut self, step: &dyn Step) -> bool {
+        let start = Instant::now();
+        while let Some(mut pass) = self.pass {
+            self.batch(step, &mut pass);
+            if pass.row == pass.size(self.size).height() {
+                self.finish(pass);
+                return true;
+            }
+            self.pass = Some(pass);
+            if start.elapsed() > if pass.draft { DRAFT_SLICE } else { SLICE } {
+                break;
+            }
+        }
+        false
+    }
+
+    fn batch(&mut self, step: &dyn Step, pass: &mut Pass) {
+        let start = Instant::now();
+        let size = pass.size(self.size);
+        let row_cost = self.cost * pass.rays_per_row(self.size) as f64;
+        let rows = (BATCH.as_secs_f64() / row_cost) as usize;
+        let rows = rows.max(rayon::current_num_threads()).min(size.height() - pass.row);
+        let frame = Frame { step, camera: &*self.camera, size, samples: pass.samples };
+        let mut rgb = vec![0; 3 * size.width() * rows];
+        let lines = rgb.par_chunks_mut(3 * size.width()).enumerate();
+        lines.for_each(|(line, rgb)| frame.render_rows(pass.row + line, rgb));
+        pass.time += start.elapsed();
+
+        let (width, height) = (self.size.width(), self.size.height());
+        for (row, rgb) in (pass.row..).zip(rgb.chunks_exact(3 * size.width())) {
+            // In a draft a row of the grid is as many of the picture's rows as are nearest.
+            let top = row * height / size.height();
+            let bottom = (row + 1) * height / size.height();
+            let line = &mut self.pixels[top * width..(top + 1) * width];
+            for (col, pixel) in line.iter_mut().enumerate() {
+                let first = 3 * (col * size.width() / width);
+                *pixel = u32::from_be_bytes([0, rgb[first], rgb[first + 1], rgb[first + 2]]);
+            }
+            for copy in top + 1..bottom {
+                self.pixels.copy_within(top * width..(top + 1) * width, copy * width);
+            }
+        }
+        pass.row += rows;
+    }
+
+    fn finish(&mut self, pass: Pass) {
+        let Pass { grid, samples, time, .. } = pass;
+        let rays = pass.size(self.size).height() * pass.rays_per_row(self.size);
+        self.cost = time.as_secs_f64() / rays as f64;
+        self.finished = Finished { grid, samples, time };
+        self.pass = if grid > 1 {
+            Some(Pass::new(1, 1, false))
+        } else if samples < self.samples {
+            Some(Pass::new(1, self.samples, false))
+        } else {
+            None
+        };
+    }
+
+    /// The pixels as a picture that can be saved.
+    pub(crate) fn picture(&self) -> RgbImage {
+        let mut picture = RgbImage::new(self.size.width() as u32, self.size.height() as u32);
+        for (rgb, pixel) in picture.pixels_mut().zip(&self.pixels) {
+            let [_, r, g, b] = pixel.to_be_bytes();
+            rgb.0 = [r, g, b];
+        }
+        picture
+    }
+}
