@@ -314,7 +314,9 @@ impl Canvas<'_> {
     /// Darkens what is there, so that text can be read on it.
     fn dim(&mut self, area: Rectangle) {
         for row in self.rows(&area) {
-            row.iter_mut().for_each(|pixel| *pixel = (*pixel >> 2) & 0x3f_3f_3f);
+            row.iter_mut().for_each(|pixel| {
+                *pixel = ((*pixel >> 2) & 0x3f_3f_3f) + ((*pixel >> 3) & 0x1f_1f_1f);
+            });
         }
     }
 

@@ -217,16 +217,12 @@ fn reason(error: minifb::Error) -> anyhow::Error {
 }
 
 /// What the mouse button took hold of.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 enum Held {
+    #[default]
     Nothing,
     /// The picture, at a place and as it was seen then; a click as long as it does not move.
-    Picture {
-        at: (f32, f32),
-        azimuth: f32,
-        elevation: f32,
-        click: bool,
-    },
+    Picture { at: (f32, f32), azimuth: f32, elevation: f32, click: bool },
     /// The slider of a control.
     Slider(usize),
     /// A part of the overlay without effect.
@@ -338,6 +334,10 @@ impl Session<'_> {
             // Who leaves by Alt+Shift+Tab lets go of Shift elsewhere.
             self.fine = false;
         }
+        // The mouse first: its place was asked for before the keys were.
+        if !self.saving {
+            self.mouse()?;
+        }
         while !self.saving {
             match self.window.keys.try_recv() {
                 Ok((Key::Escape, true)) => return Ok(ControlFlow::Break(())),
@@ -346,9 +346,6 @@ impl Session<'_> {
                 Ok((_, false)) => {}
                 Err(_) => break,
             }
-        }
-        if !self.saving {
-            self.mouse()?;
         }
         Ok(ControlFlow::Continue(()))
     }
@@ -407,16 +404,13 @@ impl Session<'_> {
         let Some(at) = self.window.window.get_mouse_pos(MouseMode::Pass) else {
             return Ok(());
         };
-        match (self.held, down) {
-            (Held::Nothing, true) => self.press(at),
-            (Held::Nothing, false) => {}
-            (_, true) => self.drag(at),
-            (held, false) => {
-                self.held = Held::Nothing;
-                if let Held::Picture { at, click: true, .. } = held {
-                    self.explain(at)?;
-                }
-            }
+        match self.held {
+            Held::Nothing if down => self.press(at),
+            Held::Nothing => {}
+            _ => self.drag(at),
+        }
+        if !down && let Held::Picture { at, click: true, .. } = mem::take(&mut self.held) {
+            self.explain(at)?;
         }
         Ok(())
     }
@@ -425,7 +419,12 @@ impl Session<'_> {
         let (size, count) = (self.drawing.size(), self.controls().len());
         let View { azimuth, elevation, .. } = self.view;
         self.held = match self.overlay.target(size, count, at.0, at.1) {
-            Target::Picture => Held::Picture { at, azimuth, elevation, click: true },
+            Target::Picture => {
+                let Pixel { col, row, .. } = self.pixel(at);
+                self.note = Some(format!("pixel ({col}, {row})"));
+                self.touched = true;
+                Held::Picture { at, azimuth, elevation, click: true }
+            }
             Target::Panel => Held::Panel,
             Target::Control(index, on_slider) => {
                 self.overlay.selected = index;
@@ -455,6 +454,7 @@ impl Session<'_> {
                     return;
                 }
                 *click = false;
+                self.note = None;
                 // From where the drag began, so that it does not matter in how many moves.
                 let mut view = self.view.clone();
                 (view.azimuth, view.elevation) = (*azimuth, *elevation);
@@ -466,15 +466,19 @@ impl Session<'_> {
         }
     }
 
-    /// Prints how the pixel at a place came by its colour, and marks it.
-    fn explain(&mut self, (x, y): (f32, f32)) -> Result<()> {
-        let size = self.drawing.size();
-        let (width, height) = (size.width(), size.height());
+    fn pixel(&self, (x, y): (f32, f32)) -> Pixel {
+        let (width, height) = (self.drawing.size().width(), self.drawing.size().height());
         let col = (x.max(0.0) as usize).min(width - 1);
         let row = (y.max(0.0) as usize).min(height - 1);
-        let pixel = Pixel { col, row, width, height };
-        let camera = self.view.camera(size.aspect());
+        Pixel { col, row, width, height }
+    }
+
+    /// Prints how the pixel at a place came by its colour, and marks it.
+    fn explain(&mut self, at: (f32, f32)) -> Result<()> {
+        let pixel = self.pixel(at);
+        let camera = self.view.camera(self.drawing.size().aspect());
         print(&self.step.explain(&*camera, pixel).to_string())?;
+        let Pixel { col, row, width, height } = pixel;
         self.marked = Some(((col as f32 + 0.5) / width as f32, (row as f32 + 0.5) / height as f32));
         self.note = Some(format!("pixel ({col}, {row}): see the terminal"));
         self.touched = true;
