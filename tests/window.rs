@@ -1,0 +1,532 @@
+//! The window as a user has it: real programs on a display of their own, driven by real key
+//! presses and mouse moves; each must have its effect.
+//!
+//! Without Xvfb or xdotool these tests say so and pass; where `CI` is set they fail.
+
+use std::cell::RefCell;
+use std::fs;
+use std::fs::File;
+use std::io::BufRead;
+use std::io::BufReader;
+use std::path::Path;
+use std::path::PathBuf;
+use std::process::Child;
+use std::process::Command;
+use std::process::Stdio;
+use std::thread;
+use std::time::Duration;
+use std::time::Instant;
+
+use common::Comparison;
+use common::Control;
+use common::Pixel;
+use common::Size;
+use common::Step;
+use common::View;
+use embedded_graphics::Drawable;
+use embedded_graphics::geometry::Point;
+use embedded_graphics::mock_display::MockDisplay;
+use embedded_graphics::mono_font::MonoTextStyle;
+use embedded_graphics::mono_font::iso_8859_7::FONT_10X20;
+use embedded_graphics::pixelcolor::BinaryColor;
+use embedded_graphics::text::Baseline;
+use embedded_graphics::text::Text;
+use image::Rgb;
+use image::RgbImage;
+use image::imageops;
+use tests::STEPS;
+use tests::picture;
+use tests::program;
+use tests::step;
+
+/// The size that a window has unless told otherwise.
+const SIZE: Size = Size::DEFAULT;
+
+/// The colours of the overlay's text: usual, of the selected control, of a hint.
+const TEXT: Rgb<u8> = Rgb([255, 255, 255]);
+const CHOSEN: Rgb<u8> = Rgb([255, 208, 64]);
+const FAINT: Rgb<u8> = Rgb([184, 192, 204]);
+
+/// Asks again until there is an answer.
+fn until<T>(what: &str, mut ask: impl FnMut() -> Option<T>) -> T {
+    let start = Instant::now();
+    loop {
+        if let Some(answer) = ask() {
+            return answer;
+        }
+        assert!(start.elapsed() < Duration::from_secs(60), "in vain: {what}");
+        thread::sleep(Duration::from_millis(20));
+    }
+}
+
+/// An empty folder for a test.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("window").join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("a folder");
+    folder
+}
+
+/// An X server that keeps its screen in a file.
+struct Display {
+    server: RefCell<Child>,
+    name: String,
+    pixels: PathBuf,
+}
+
+impl Display {
+    /// None where the programs for it are missing.
+    fn start(folder: &Path, options: &[&str]) -> Option<Self> {
+        let paths = std::env::var_os("PATH").unwrap_or_default();
+        let exists =
+            |name: &str| std::env::split_paths(&paths).any(|path| path.join(name).is_file());
+        if let Some(missing) = ["Xvfb", "xdotool"].into_iter().find(|name| !exists(name)) {
+            assert!(std::env::var_os("CI").is_none(), "{missing} is not installed");
+            println!("skipped, as {missing} is not installed");
+            return None;
+        }
+        let mut server = Command::new("Xvfb")
+            .args(["-displayfd", "1", "-screen", "0", "2000x1200x24", "-nolisten", "tcp"])
+            .arg("-fbdir")
+            .arg(folder)
+            .args(options)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("Xvfb starts");
+        let mut number = String::new();
+        let output = server.stdout.take().expect("a pipe");
+        BufReader::new(output).read_line(&mut number).expect("a display number");
+        let name = format!(":{}", number.trim());
+        let server = RefCell::new(server);
+        Some(Self { server, name, pixels: folder.join("Xvfb_screen0") })
+    }
+
+    /// What xdotool answers to a line of commands; none when it fails.
+    fn ask(&self, commands: &str) -> Option<String> {
+        let output = Command::new("xdotool")
+            .args(commands.split_whitespace())
+            .env("DISPLAY", &self.name)
+            .output()
+            .expect("xdotool starts");
+        output.status.success().then(|| String::from_utf8(output.stdout).expect("text"))
+    }
+
+    /// What is on the screen, from the server's file: an X window dump.
+    fn screen(&self) -> RgbImage {
+        let dump = fs::read(&self.pixels).expect("the screen's file");
+        let field = |index: usize| {
+            let bytes = dump[4 * index..4 * index + 4].try_into().expect("four bytes");
+            u32::from_be_bytes(bytes)
+        };
+        let (header, width, height) = (field(0), field(4), field(5));
+        let (stride, colors) = (field(12), field(19));
+        assert_eq!((field(7), field(11)), (0, 32), "the order of bytes, the bits of a pixel");
+        RgbImage::from_fn(width, height, |col, row| {
+            let at = (header + 12 * colors + row * stride + 4 * col) as usize;
+            Rgb([dump[at + 2], dump[at + 1], dump[at]])
+        })
+    }
+}
+
+impl Display {
+    /// Ends the server, and with it every connection.
+    fn kill(&self) {
+        let mut server = self.server.borrow_mut();
+        let _ = server.kill();
+        let _ = server.wait();
+    }
+}
+
+impl Drop for Display {
+    fn drop(&mut self) {
+        self.kill();
+    }
+}
+
+/// All controls of a step: its own, then the camera's.
+fn controls<'a>(step: &'a mut dyn Step, view: &'a mut View) -> Vec<Control<'a>> {
+    let mut controls = step.controls();
+    controls.extend(view.controls());
+    controls
+}
+
+/// Whether the overlay's font has ink at each of a character's pixels.
+fn glyph(character: char) -> [[bool; 10]; 20] {
+    let mut display = MockDisplay::new();
+    display.set_allow_overdraw(true);
+    let style = MonoTextStyle::new(&FONT_10X20, BinaryColor::On);
+    let text = character.to_string();
+    let text = Text::with_baseline(&text, Point::zero(), style, Baseline::Top);
+    text.draw(&mut display).expect("a character fits");
+    std::array::from_fn(|y| {
+        std::array::from_fn(|x| display.get_pixel(Point::new(x as i32, y as i32)).is_some())
+    })
+}
+
+/// Whether `text` stands at (`left`, `top`), letter for letter.
+fn reads(
+    screen: &RgbImage,
+    glyphs: &[[[bool; 10]; 20]],
+    color: Rgb<u8>,
+    left: u32,
+    top: u32,
+) -> bool {
+    (0..20).all(|y| {
+        glyphs.iter().flat_map(|glyph| glyph[y as usize]).zip(left..).all(|(ink, x)| {
+            let pixel = screen.get_pixel_checked(x, top + y);
+            pixel.is_some_and(|pixel| (*pixel == color) == ink)
+        })
+    })
+}
+
+/// Where the overlay says `text`.
+fn find(screen: &RgbImage, text: &str, color: Rgb<u8>) -> Option<(u32, u32)> {
+    let glyphs: Vec<_> = text.chars().map(glyph).collect();
+    let places = (0..screen.height()).flat_map(|y| (0..screen.width()).map(move |x| (x, y)));
+    places.into_iter().find(|(x, y)| reads(screen, &glyphs, color, *x, *y))
+}
+
+/// A running step, and what it should show.
+struct Running<'a> {
+    display: &'a Display,
+    folder: &'a Path,
+    index: usize,
+    program: Child,
+    window: String,
+    saved: usize,
+    size: Size,
+    step: Box<dyn Step>,
+    view: View,
+}
+
+impl<'a> Running<'a> {
+    fn start(display: &'a Display, folder: &'a Path, index: usize, options: &[&str]) -> Self {
+        let name = STEPS[index];
+        let program = Command::new(program(name))
+            .args(options)
+            .current_dir(folder)
+            .env("DISPLAY", &display.name)
+            .env_remove("WAYLAND_DISPLAY")
+            .stdout(File::create(folder.join("output")).expect("a file"))
+            .stderr(File::create(folder.join("errors")).expect("a file"))
+            .spawn()
+            .expect("the step starts");
+        let window = until("a window", || {
+            let found = display.ask(&format!("search --onlyvisible --name ^{name}:"))?;
+            Some(found.lines().next()?.to_owned())
+        });
+        let step = step(index);
+        let view = step.view();
+        let running =
+            Self { display, folder, index, program, window, saved: 0, size: SIZE, step, view };
+        // Keys go there wherever the mouse is.
+        running.act("windowfocus --sync WINDOW");
+        running
+    }
+
+    /// Has xdotool do something; WINDOW stands for the step's window.
+    fn act(&self, commands: &str) {
+        let commands = commands.replace("WINDOW", &self.window);
+        assert!(self.display.ask(&commands).is_some(), "xdotool {commands}");
+    }
+
+    /// What the window shows.
+    fn screen(&self) -> RgbImage {
+        let geometry = self.display.ask(&format!("getwindowgeometry --shell {}", self.window));
+        let geometry = geometry.expect("the window is open");
+        let field = |name: &str| {
+            let line = geometry.lines().find_map(|line| line.strip_prefix(name));
+            line.and_then(|value| value.parse().ok()).expect("a number")
+        };
+        let (x, y) = (field("X="), field("Y="));
+        let (width, height) = (field("WIDTH="), field("HEIGHT="));
+        imageops::crop_imm(&self.display.screen(), x, y, width, height).to_image()
+    }
+
+    fn picture(&self) -> RgbImage {
+        picture(&*self.step, &self.view, self.size.width(), self.size.height())
+    }
+
+    /// Waits until the window shows the picture, and nothing over it.
+    fn shows_picture(&self) {
+        let picture = self.picture();
+        until("the picture alone", || (self.screen() == picture).then_some(()));
+    }
+
+    /// Waits until the overlay says `text`, and says where.
+    fn shows(&self, text: &str, color: Rgb<u8>) -> (u32, u32) {
+        until(&format!("to read {text:?}"), || find(&self.screen(), text, color))
+    }
+
+    /// Waits until the overlay does not say `text` any more.
+    fn shows_no(&self, text: &str, color: Rgb<u8>) {
+        let gone = || find(&self.screen(), text, color).is_none().then_some(());
+        until(&format!("to read {text:?} no more"), gone);
+    }
+
+    fn name(&mut self, control: usize) -> String {
+        controls(&mut *self.step, &mut self.view)[control].name.clone()
+    }
+
+    /// Waits until the overlay has the control selected, and shows its value.
+    fn shows_selected(&mut self, control: usize) {
+        let controls = controls(&mut *self.step, &mut self.view);
+        let (name, value) = (controls[control].name.clone(), controls[control].text());
+        let glyphs: Vec<_> = value.chars().chain([' ']).map(glyph).collect();
+        until(&format!("{name} selected, and {value}"), || {
+            let screen = self.screen();
+            let (x, y) = find(&screen, &format!("{name} "), CHOSEN)?;
+            (x..screen.width()).find(|x| reads(&screen, &glyphs, CHOSEN, *x, y))
+        });
+    }
+
+    fn change(&mut self, control: usize, change: impl FnOnce(&mut Control<'_>)) {
+        change(&mut controls(&mut *self.step, &mut self.view)[control]);
+    }
+
+    /// Has the picture saved, under the next free name, and compares it with the one expected.
+    fn saves(&mut self) {
+        self.act("key F2");
+        self.saved += 1;
+        let name = format!("{}-{}.png", STEPS[self.index], self.saved);
+        let path = self.folder.join(&name);
+        until(&name, || path.exists().then_some(()));
+        let found = image::open(path).expect("a PNG").into_rgb8();
+        let comparison = Comparison::new(&self.picture(), &found, &[]);
+        assert!(comparison.is_equal(), "{name}: {comparison}");
+        until("a word about it", || self.errors().contains(&name).then_some(()));
+    }
+
+    fn errors(&self) -> String {
+        fs::read_to_string(self.folder.join("errors")).expect("text")
+    }
+
+    fn output(&self) -> String {
+        fs::read_to_string(self.folder.join("output")).expect("text")
+    }
+
+    /// The exit status, once the program has ended.
+    fn ends(&mut self) -> Option<i32> {
+        until("the end", || self.program.try_wait().expect("a child")).code()
+    }
+}
+
+impl Drop for Running<'_> {
+    fn drop(&mut self) {
+        let _ = self.program.kill();
+        let _ = self.program.wait();
+    }
+}
+
+/// Everything that the window understands, on a step whose controls 1 and 2 are numbers.
+fn everything(index: usize, close: &str) {
+    let folder = folder(STEPS[index]);
+    // No key held for long on a busy machine shall count twice.
+    let Some(display) = Display::start(&folder, &["-r"]) else {
+        return;
+    };
+    let taken = folder.join(format!("{}-2.png", STEPS[index]));
+    fs::write(&taken, "not to be overwritten").expect("a file");
+    let mut running = Running::start(&display, &folder, index, &[]);
+    let description = running.name(0);
+
+    // What is seen at first, with and without the overlay.
+    running.shows(STEPS[index], CHOSEN);
+    running.shows(&description, CHOSEN);
+    running.act("key space");
+    running.shows_picture();
+    running.act("key space");
+    running.shows_selected(0);
+
+    // The list of keys.
+    running.act("key F1");
+    running.shows("print how the pixel came by its colour", TEXT);
+    running.shows_no(&description, CHOSEN);
+    running.act("key F1");
+    running.shows_no("print how the pixel came by its colour", TEXT);
+    running.shows_selected(0);
+
+    // Selecting, and changing what is selected.
+    running.act("key Down");
+    running.shows_selected(1);
+    running.act("key Right");
+    running.change(1, |control| control.nudge(1.0));
+    running.shows_selected(1);
+    running.saves();
+    running.act("key Left Left Left");
+    (0..3).for_each(|_| running.change(1, |control| control.nudge(-1.0)));
+    running.shows_selected(1);
+    running.saved += 1; // the name that is taken
+    running.saves();
+    running.act("keydown Shift_L key Right keyup Shift_L");
+    running.change(1, |control| control.nudge(0.1));
+    running.shows_selected(1);
+    running.saves();
+    running.act("key Up");
+    running.shows_selected(0);
+
+    // From the first control back to the last, which in a long list is not shown at first.
+    let last = controls(&mut *running.step, &mut running.view).len() - 1;
+    running.act("key Up Left");
+    running.change(last, |control| control.nudge(-1.0));
+    running.shows_selected(last);
+    running.saves();
+    running.act("key Down");
+    running.shows_selected(0);
+
+    // A slider, dragged beyond its end.
+    let name = running.name(2);
+    let (left, top) = running.shows(&format!("{name} "), TEXT);
+    let bar = {
+        let (screen, groove) = (running.screen(), Rgb([72, 80, 92]));
+        let inside = (left..screen.width()).find(|x| *screen.get_pixel(*x, top + 10) == groove);
+        inside.expect("a slider that is not full")
+    };
+    running.act(&format!("mousemove --window WINDOW {bar} {} mousedown 1", top + 10));
+    running.shows(&format!("{name} "), CHOSEN);
+    running.act(&format!("mousemove --window WINDOW 900 {top} mouseup 1"));
+    running.change(2, |control| control.set_fraction(1.0));
+    running.shows_selected(2);
+    running.saves();
+
+    // All back.
+    let (step, view) = (step(index), running.view.clone());
+    running.act("key Home");
+    (running.view, running.step) = (step.view(), step);
+    assert_ne!(running.view, view);
+    running.shows_selected(2);
+    running.saves();
+
+    // An orbit, by half a turn for the window's height.
+    running.act("mousemove --window WINDOW 700 300 mousedown 1");
+    running.shows("pixel (700, 300)", FAINT);
+    running.act("mousemove --window WINDOW 640 330 mouseup 1");
+    let angle = 180.0 / SIZE.height() as f32;
+    running.view.orbit(60.0 * angle, 30.0 * angle);
+    running.saves();
+
+    // The wheel.
+    running.act("click 4");
+    running.view.zoom(0.9);
+    running.saves();
+    running.act("click --repeat 3 5");
+    (0..3).for_each(|_| running.view.zoom(1.0 / 0.9));
+    running.saves();
+
+    // Another size; what is under other windows comes back.
+    running.size = Size::new(641, 403).expect("a size");
+    running.act("windowsize WINDOW 641 403 key space");
+    running.shows_picture();
+    running.saves();
+    running.act("windowunmap --sync WINDOW windowmap --sync WINDOW");
+    running.shows_picture();
+    for size in ["1 1", "2 700", "1900 3", "1990 1190"] {
+        running.act(&format!("windowsize WINDOW {size}"));
+    }
+    running.size = SIZE;
+    running.act("windowsize WINDOW 960 540");
+    running.shows_picture();
+    running.act("windowfocus --sync WINDOW key space");
+
+    // A pixel that explains itself.
+    let (col, row) = (620, 260);
+    assert_eq!(running.output(), "");
+    running.act(&format!("mousemove --window WINDOW {col} {row} mousedown 1"));
+    running.shows(&format!("pixel ({col}, {row})"), FAINT);
+    running.act("mouseup 1 mousemove 0 0");
+    running.shows(&format!("pixel ({col}, {row}): see the terminal"), FAINT);
+    let camera = running.view.camera(SIZE.aspect());
+    let pixel = Pixel { col, row, width: SIZE.width(), height: SIZE.height() };
+    assert_eq!(running.output(), running.step.explain(&*camera, pixel).to_string());
+    let (screen, picture) = (running.screen(), running.picture());
+    let (col, row) = (col as u32, row as u32);
+    assert_eq!(screen.get_pixel(col, row), picture.get_pixel(col, row));
+    for (x, y) in [(col - 7, row), (col + 7, row), (col, row - 7), (col, row + 7)] {
+        assert_eq!(*screen.get_pixel(x, y), CHOSEN, "the ring at ({x}, {y})");
+    }
+
+    running.act(close);
+    assert_eq!(running.ends(), Some(0));
+    assert_eq!(fs::read_to_string(&taken).expect("a file"), "not to be overwritten");
+    assert_eq!(running.errors().lines().count(), running.saved - 1, "{}", running.errors());
+}
+
+#[test]
+fn a_sphere() {
+    everything(1, "windowquit WINDOW");
+}
+
+#[test]
+fn a_triangle() {
+    everything(2, "key Escape");
+}
+
+#[test]
+fn the_whole_sum() {
+    everything(6, "windowquit WINDOW");
+}
+
+#[test]
+fn a_key_that_is_held() {
+    let folder = folder("held");
+    let Some(display) = Display::start(&folder, &[]) else {
+        return;
+    };
+    let mut running = Running::start(&display, &folder, 1, &[]);
+    running.act("keydown Right");
+    running.change(0, |control| control.set_fraction(1.0));
+    running.shows_selected(0);
+    running.act("keyup Right key Escape");
+    assert_eq!(running.ends(), Some(0));
+}
+
+#[test]
+fn closed_during_a_long_render() {
+    let folder = folder("long");
+    let Some(display) = Display::start(&folder, &[]) else {
+        return;
+    };
+    let options = ["--size", "1920x1080", "--samples", "16"];
+    let mut running = Running::start(&display, &folder, 6, &options);
+    // To be saved when it is complete, which it never is.
+    running.act("key F2 windowquit WINDOW");
+    assert_eq!(running.ends(), Some(0));
+    assert_eq!(running.errors(), "");
+}
+
+#[test]
+fn the_display_goes_away() {
+    let folder = folder("gone");
+    let Some(display) = Display::start(&folder, &[]) else {
+        return;
+    };
+    let mut running = Running::start(&display, &folder, 1, &[]);
+    running.shows_selected(0);
+    display.kill();
+    assert_eq!(running.ends(), Some(1));
+    assert_eq!(running.errors().lines().count(), 1, "{}", running.errors());
+}
+
+#[test]
+fn no_display() {
+    for (folder, display, reason) in [
+        (folder("none"), None, "no display"),
+        (folder("wrong"), Some("nowhere:0"), "the display nowhere:0 does not answer"),
+        (folder("empty"), Some(""), "no display"),
+    ] {
+        let mut command = Command::new(program(STEPS[4]));
+        command.current_dir(&folder).args(["--size", "64x36"]);
+        command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY");
+        let output = command.envs(display.map(|name| ("DISPLAY", name))).output();
+        let output = output.expect("the step starts");
+        assert!(output.status.success());
+        let errors = String::from_utf8(output.stderr).expect("text");
+        let name = format!("{}.png", STEPS[4]);
+        assert!(errors.contains(reason) && errors.contains(&name), "{errors}");
+        let found = image::open(folder.join(name)).expect("a PNG").into_rgb8();
+        let step = step(4);
+        let expected = picture(&*step, &step.view(), 64, 36);
+        assert!(Comparison::new(&expected, &found, &[]).is_equal());
+    }
+}
