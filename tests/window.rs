@@ -1,3 +1,4 @@
+#![cfg(unix)]
 //! The window as a user has it: real programs on a display of their own, driven by real key
 //! presses and mouse moves; each must have its effect.
 //!
@@ -8,6 +9,9 @@ use std::fs;
 use std::fs::File;
 use std::io::BufRead;
 use std::io::BufReader;
+use std::io::Read;
+use std::io::Write;
+use std::os::unix::net::UnixStream;
 use std::path::Path;
 use std::path::PathBuf;
 use std::process::Child;
@@ -87,6 +91,7 @@ impl Display {
         }
         let mut server = Command::new("Xvfb")
             .args(["-displayfd", "1", "-screen", "0", "2000x1200x24", "-nolisten", "tcp"])
+            .arg("-noreset")
             .arg("-fbdir")
             .arg(folder)
             .args(options)
@@ -306,6 +311,12 @@ impl<'a> Running<'a> {
         fs::read_to_string(self.folder.join("output")).expect("text")
     }
 
+    /// Presses the window's close button.
+    fn close(&self) {
+        let window = self.window.parse().expect("a number");
+        Connection::open(self.display).close(window);
+    }
+
     /// The exit status, once the program has ended.
     fn ends(&mut self) -> Option<i32> {
         until("the end", || self.program.try_wait().expect("a child")).code()
@@ -319,8 +330,59 @@ impl Drop for Running<'_> {
     }
 }
 
+/// A connection to an X server, for what xdotool cannot do.
+struct Connection(UnixStream);
+
+impl Connection {
+    fn open(display: &Display) -> Self {
+        let number = display.name.trim_start_matches(':');
+        let path = format!("/tmp/.X11-unix/X{number}");
+        let mut connection = Self(UnixStream::connect(path).expect("the server's socket"));
+        // Little-endian, protocol 11.0, no authorization.
+        connection.send(&[b'l', 0, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0]);
+        let head: [u8; 8] = connection.receive();
+        assert_eq!(head[0], 1, "the server accepts");
+        let rest = 4 * u16::from_le_bytes([head[6], head[7]]);
+        let mut rest = vec![0; rest.into()];
+        connection.0.read_exact(&mut rest).expect("the server answers");
+        connection
+    }
+
+    fn send(&mut self, request: &[u8]) {
+        self.0.write_all(request).expect("the server listens");
+    }
+
+    fn receive<const N: usize>(&mut self) -> [u8; N] {
+        let mut answer = [0; N];
+        self.0.read_exact(&mut answer).expect("the server answers");
+        answer
+    }
+
+    /// InternAtom: the number of a name whose length is a multiple of four.
+    fn atom(&mut self, name: &str) -> [u8; 4] {
+        let length = name.len() as u8;
+        self.send(&[16, 0, 2 + length / 4, 0, length, 0, 0, 0]);
+        self.send(name.as_bytes());
+        let answer: [u8; 32] = self.receive();
+        [answer[8], answer[9], answer[10], answer[11]]
+    }
+
+    /// SendEvent: what a window manager tells a window whose close button was pressed.
+    fn close(&mut self, window: u32) {
+        let protocols = self.atom("WM_PROTOCOLS");
+        let delete = self.atom("WM_DELETE_WINDOW");
+        let window = window.to_le_bytes();
+        let request = [25, 0, 11, 0].into_iter().chain(window).chain([0; 4]);
+        let message = [33, 32, 0, 0].into_iter().chain(window).chain(protocols).chain(delete);
+        let request: Vec<u8> = request.chain(message).chain([0; 16]).collect();
+        self.send(&request);
+        // Once the server answers the next request, it has dealt with this one.
+        self.atom("WM_PROTOCOLS");
+    }
+}
+
 /// Everything that the window understands, on a step whose controls 1 and 2 are numbers.
-fn everything(index: usize, close: &str) {
+fn everything(index: usize, close: impl FnOnce(&Running<'_>)) {
     let folder = folder(STEPS[index]);
     // No key held for long on a busy machine shall count twice.
     let Some(display) = Display::start(&folder, &["-r"]) else {
@@ -434,8 +496,9 @@ fn everything(index: usize, close: &str) {
     assert_eq!(running.output(), "");
     running.act(&format!("mousemove --window WINDOW {col} {row} mousedown 1"));
     running.shows(&format!("pixel ({col}, {row})"), FAINT);
-    running.act("mouseup 1 mousemove 0 0");
+    running.act("mouseup 1");
     running.shows(&format!("pixel ({col}, {row}): see the terminal"), FAINT);
+    running.act("mousemove 0 0");
     let camera = running.view.camera(SIZE.aspect());
     let pixel = Pixel { col, row, width: SIZE.width(), height: SIZE.height() };
     assert_eq!(running.output(), running.step.explain(&*camera, pixel).to_string());
@@ -446,7 +509,7 @@ fn everything(index: usize, close: &str) {
         assert_eq!(*screen.get_pixel(x, y), CHOSEN, "the ring at ({x}, {y})");
     }
 
-    running.act(close);
+    close(&running);
     assert_eq!(running.ends(), Some(0));
     assert_eq!(fs::read_to_string(&taken).expect("a file"), "not to be overwritten");
     assert_eq!(running.errors().lines().count(), running.saved - 1, "{}", running.errors());
@@ -454,17 +517,17 @@ fn everything(index: usize, close: &str) {
 
 #[test]
 fn a_sphere() {
-    everything(1, "windowquit WINDOW");
+    everything(1, |running| running.close());
 }
 
 #[test]
 fn a_triangle() {
-    everything(2, "key Escape");
+    everything(2, |running| running.act("key Escape"));
 }
 
 #[test]
 fn the_whole_sum() {
-    everything(6, "windowquit WINDOW");
+    everything(6, |running| running.close());
 }
 
 #[test]
@@ -490,7 +553,8 @@ fn closed_during_a_long_render() {
     let options = ["--size", "1920x1080", "--samples", "16"];
     let mut running = Running::start(&display, &folder, 6, &options);
     // To be saved when it is complete, which it never is.
-    running.act("key F2 windowquit WINDOW");
+    running.act("key F2");
+    running.close();
     assert_eq!(running.ends(), Some(0));
     assert_eq!(running.errors(), "");
 }

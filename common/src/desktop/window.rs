@@ -76,11 +76,25 @@ const CLICK: f32 = 3.0;
 /// What a notch of the wheel multiplies the distance by.
 const ZOOM: f32 = 0.9;
 
+/// What minifb counts for a notch. On X11, where a notch is a button, both its press and its
+/// release count.
+const NOTCH: f32 = if cfg!(windows) {
+    12.0
+} else if cfg!(target_os = "macos") {
+    1.0
+} else {
+    2.0
+};
+
 /// A window without content yet.
 pub(crate) struct Window {
     window: minifb::Window,
     keys: Receiver<(Key, bool)>,
-    /// Notches of the wheel that nobody has asked for.
+    /// Keys pressed and released, to be dealt with.
+    typed: VecDeque<(Key, bool)>,
+    /// Whether the mouse button is down.
+    held: bool,
+    /// Notches of the wheel, to be dealt with.
     wheel: f32,
     /// What is on the screen. minifb may read it at any time until it is given other pixels.
     shown: Vec<u32>,
@@ -126,7 +140,8 @@ impl Window {
         window.set_input_callback(Box::new(Keys(sender)));
         let (shown, spare) = (Vec::new(), Vec::new());
         let (sent, cost) = (Instant::now(), Duration::ZERO);
-        Ok(Self { window, keys, wheel: 0.0, shown, spare, sent, cost })
+        let typed = VecDeque::new();
+        Ok(Self { window, keys, typed, held: false, wheel: 0.0, shown, spare, sent, cost })
     }
 
     /// Shows what `step` shows from `view` until the window is closed.
@@ -158,7 +173,7 @@ impl Window {
             marked: None,
             note: None,
             moved: true,
-            touched: true,
+            touched: false,
             shown: VecDeque::new(),
         }
         .run()
@@ -170,25 +185,34 @@ impl Window {
         Size::new(width, height).ok()
     }
 
+    /// Looks for input.
     fn poll(&mut self) {
+        self.keep();
         self.window.update();
         self.collect();
     }
 
-    /// minifb keeps the wheel's turns only until it looks for new ones.
+    /// Takes what the last look has found. minifb asks for the mouse's place before it looks for
+    /// anything else, so only the next look knows where the mouse was then.
+    fn keep(&mut self) {
+        self.typed.extend(self.keys.try_iter());
+        self.held = self.window.get_mouse_down(MouseButton::Left);
+    }
+
+    /// minifb keeps the wheel's turns only until it looks again.
     fn collect(&mut self) {
-        if let Some((_, notches)) = self.window.get_scroll_wheel() {
-            // Windows and Wayland count ten or more to a notch.
-            self.wheel += notches.clamp(-3.0, 3.0);
+        if let Some((_, turned)) = self.window.get_scroll_wheel() {
+            self.wheel += turned / NOTCH;
         }
     }
 
-    /// Puts pixels on the screen, once `draw` has drawn over them.
+    /// Puts pixels on the screen, once `draw` has drawn over them, and looks for input.
     fn send(&mut self, size: Size, pixels: &[u32], draw: impl FnOnce(&mut [u32])) -> Result<()> {
         let start = Instant::now();
         self.spare.clear();
         self.spare.extend_from_slice(pixels);
         draw(&mut self.spare);
+        self.keep();
         self.window
             .update_with_buffer(&self.spare, size.width(), size.height())
             .map_err(|error| anyhow!("cannot show the picture: {error}"))?;
@@ -258,19 +282,17 @@ struct Session<'a> {
 impl Session<'_> {
     fn run(mut self) -> Result<()> {
         loop {
-            self.window.poll();
+            self.look()?;
             if !self.window.window.is_open() || self.input()?.is_break() {
                 return Ok(());
             }
             let Some(size) = self.window.size() else {
-                thread::sleep(REST);
                 continue;
             };
             if mem::take(&mut self.moved) || size != self.drawing.size() {
                 let draft = PERIOD.saturating_sub(self.window.cost).max(PERIOD / 4);
                 self.drawing.restart(size, self.view.camera(size.aspect()), draft);
             }
-            let idle = self.drawing.is_complete();
             if self.drawing.work(&*self.step) {
                 self.shown.push_back(Instant::now());
                 self.touched = true;
@@ -278,14 +300,22 @@ impl Session<'_> {
             if self.saving && self.drawing.is_complete() {
                 self.save();
             }
-            let refined = !idle && self.window.sent.elapsed() > REFRESH;
-            if !self.drawing.is_drafting() && (self.touched || refined || self.window.is_stale()) {
-                self.touched = false;
-                self.send()?;
-            } else if idle {
-                thread::sleep(REST);
-            }
         }
+    }
+
+    /// Looks for input, and brings the screen up to date where it is not.
+    fn look(&mut self) -> Result<()> {
+        let complete = self.drawing.is_complete();
+        let refined = !complete && self.window.sent.elapsed() > REFRESH;
+        if !self.drawing.is_drafting() && (self.touched || refined || self.window.is_stale()) {
+            self.touched = false;
+            return self.send();
+        }
+        if complete || self.window.size().is_none() {
+            thread::sleep(REST);
+        }
+        self.window.poll();
+        Ok(())
     }
 
     fn send(&mut self) -> Result<()> {
@@ -334,17 +364,16 @@ impl Session<'_> {
             // Who leaves by Alt+Shift+Tab lets go of Shift elsewhere.
             self.fine = false;
         }
-        // The mouse first: its place was asked for before the keys were.
         if !self.saving {
             self.mouse()?;
         }
         while !self.saving {
-            match self.window.keys.try_recv() {
-                Ok((Key::Escape, true)) => return Ok(ControlFlow::Break(())),
-                Ok((Key::LeftShift | Key::RightShift, down)) => self.fine = down,
-                Ok((key, true)) => self.key(key),
-                Ok((_, false)) => {}
-                Err(_) => break,
+            match self.window.typed.pop_front() {
+                Some((Key::Escape, true)) => return Ok(ControlFlow::Break(())),
+                Some((Key::LeftShift | Key::RightShift, down)) => self.fine = down,
+                Some((key, true)) => self.key(key),
+                Some((_, false)) => {}
+                None => break,
             }
         }
         Ok(ControlFlow::Continue(()))
@@ -400,7 +429,7 @@ impl Session<'_> {
             self.view.zoom(ZOOM.powf(notches));
             self.moved = true;
         }
-        let down = self.window.window.get_mouse_down(MouseButton::Left);
+        let down = self.window.held;
         let Some(at) = self.window.window.get_mouse_pos(MouseMode::Pass) else {
             return Ok(());
         };
