@@ -4,6 +4,7 @@
 //! change that was meant, `UPDATE_SNAPSHOTS=1 cargo test` makes all of them anew; look at what
 //! changed in them before you commit it.
 
+pub mod every_step;
 pub mod povray;
 
 use std::fs;

@@ -1,0 +1,198 @@
+//! Where viewing rays start and go, and which ray belongs to which pixel.
+
+use common::Camera;
+use common::Color;
+use common::Image;
+use common::OrthographicCamera;
+use common::PerspectiveCamera;
+use common::Ray;
+use common::Vec3;
+use common::View;
+use tests::checks;
+use tests::every_step::Near;
+use tests::every_step::Package;
+use tests::every_step::TOLERANCE;
+
+checks!(packages {
+    pixels_lie_at_their_centres,
+    each_pixel_gets_the_colour_of_its_own_ray,
+    bands_of_rows_make_the_whole_picture,
+});
+
+/// Width over height of pictures, most of them odd.
+const ASPECTS: [f32; 6] = [1.0, 16.0 / 9.0, 9.0 / 16.0, 21.0 / 5.0, 1.0 / 7.0, 3.0];
+
+const EYE: Vec3 = Vec3::new(1.0, 2.0, 7.0);
+
+/// Straight ahead of [`EYE`], along −z.
+const TARGET: Vec3 = Vec3::new(1.0, 2.0, 3.0);
+
+/// The corners and the centre of the picture, from −1 to 1 in both directions.
+const PLACES: [(f32, f32); 5] = [(0.0, 0.0), (-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)];
+
+fn ray_at(camera: &dyn Camera, (x, y): (f32, f32)) -> Ray {
+    camera.generate_ray((x + 1.0) / 2.0, (y + 1.0) / 2.0)
+}
+
+#[track_caller]
+fn near<T: Near>(what: &str, found: T, expected: T, why: &str) {
+    assert!(
+        found.difference(expected) <= TOLERANCE,
+        "{what} is {found:?} and should be {expected:?}, within {TOLERANCE:e}: {why}"
+    );
+}
+
+#[test]
+fn perspective_has_one_origin_and_many_directions() {
+    // The tangents of half the angle are 1 and √3.
+    for (field_of_view, half_height) in [(90.0, 1.0), (120.0, 3.0_f32.sqrt())] {
+        for aspect in ASPECTS {
+            let camera = PerspectiveCamera::new(EYE, TARGET, Vec3::Y, field_of_view, aspect);
+            for (x, y) in PLACES {
+                let ray = ray_at(&camera, (x, y));
+                let d = Vec3::new(x * half_height * aspect, y * half_height, -1.0).normalize();
+                let why = format!("({x}, {y}) of the window one unit ahead, aspect {aspect}");
+                assert_eq!(ray.origin, EYE, "all viewing rays start at the viewpoint");
+                near("d", ray.direction, d, &why);
+                near("|d|", ray.direction.length(), 1.0, "directions have unit length");
+            }
+        }
+    }
+}
+
+#[test]
+fn parallel_has_many_origins_and_one_direction() {
+    let height = 3.0;
+    for aspect in ASPECTS {
+        let camera = OrthographicCamera::new(EYE, TARGET, Vec3::Y, height, aspect);
+        for (x, y) in PLACES {
+            let ray = ray_at(&camera, (x, y));
+            let p = EYE + Vec3::new(x * aspect, y, 0.0) * height / 2.0;
+            let why = format!("({x}, {y}) of a window 3 units high, aspect {aspect}");
+            near("p", ray.origin, p, &why);
+            near("d", ray.direction, Vec3::NEG_Z, "all viewing rays go along the line of sight");
+        }
+    }
+}
+
+#[test]
+fn cameras_are_right_handed_wherever_they_look() {
+    let eyes = [[5.0, 0.0, 0.0], [0.0, 0.0, -5.0], [3.0, 4.0, 5.0], [-2.0, -6.0, 1.0]];
+    for eye in eyes.map(Vec3::from) {
+        let forward = (TARGET - eye).normalize();
+        let right = forward.cross(Vec3::Y).normalize();
+        let up = right.cross(forward);
+        // An up that is neither of unit length nor at a right angle to the line of sight.
+        let cameras: [&dyn Camera; 2] = [
+            &PerspectiveCamera::new(eye, TARGET, 3.0 * Vec3::Y, 90.0, 2.0),
+            &OrthographicCamera::new(eye, TARGET, 3.0 * Vec3::Y, 2.0, 2.0),
+        ];
+        for camera in cameras {
+            let why = format!("seen from {eye}: right = forward × up, and v grows upwards");
+            let center = ray_at(camera, (0.0, 0.0));
+            near("d at the centre", center.direction, forward, "the target is in the middle");
+            near("p at the centre", center.origin, eye, "the viewpoint is in the middle");
+            for (place, towards) in [((1.0, 0.0), right), ((0.0, 1.0), up)] {
+                let ray = ray_at(camera, place);
+                // One unit ahead, where both show a window 4 wide and 2 high.
+                let t = 1.0 / ray.direction.dot(forward);
+                let half = if place == (1.0, 0.0) { 2.0 } else { 1.0 };
+                near("the window's edge", ray.at(t), eye + forward + half * towards, &why);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_view_shows_the_target_in_the_middle_however_it_is_turned() {
+    let mut view = View::new(EYE, TARGET, 38.0);
+    assert_eq!(view.eye(), EYE, "a view that was not moved keeps its viewpoint to the last digit");
+    view.distance = 6.0;
+    near("the viewpoint", view.eye(), TARGET + 6.0 * Vec3::Z, "only its distance was changed");
+    for (azimuth, elevation, direction) in [
+        (90.0, 0.0, Vec3::X),
+        (180.0, 0.0, Vec3::NEG_Z),
+        (-90.0, 0.0, Vec3::NEG_X),
+        (0.0, 30.0, Vec3::new(0.0, 0.5, 0.75_f32.sqrt())),
+        (0.0, -30.0, Vec3::new(0.0, -0.5, 0.75_f32.sqrt())),
+    ] {
+        (view.azimuth, view.elevation) = (azimuth, elevation);
+        let why = format!("azimuth {azimuth}, elevation {elevation}, 6 units away");
+        near("the viewpoint", view.eye(), TARGET + 6.0 * direction, &why);
+        for projection in 0..View::PROJECTIONS.len() {
+            view.projection = projection;
+            let center = ray_at(&*view.camera(1.5), (0.0, 0.0));
+            near("d at the centre", center.direction, -direction, &why);
+        }
+    }
+}
+
+#[test]
+fn a_parallel_view_shows_as_much_at_the_target_as_perspective() {
+    for aspect in ASPECTS {
+        let mut view = View::new(EYE, TARGET, 38.0);
+        let perspective = view.camera(aspect);
+        view.projection = 1;
+        let parallel = view.camera(aspect);
+        for place in PLACES {
+            let [expected, found] = [&perspective, &parallel].map(|camera| {
+                let ray = ray_at(&**camera, place);
+                ray.at((TARGET.z - ray.origin.z) / ray.direction.z)
+            });
+            near("the point in the target's plane", found, expected, "both show the same there");
+        }
+    }
+}
+
+/// Starts each ray at (u, v, 0).
+struct Positions;
+
+impl Camera for Positions {
+    fn generate_ray(&self, u: f32, v: f32) -> Ray {
+        Ray::new(Vec3::new(u, v, 0.0), Vec3::NEG_Z)
+    }
+}
+
+fn pixels_lie_at_their_centres<S: Package>() {
+    let step = S::NAME;
+    let why = "u = (col + ½) / width and v = 1 − (row + ½) / height: rows count from the top";
+    for (col, row, width, height, expected) in [
+        (0, 0, 1, 1, (0.5, 0.5)),
+        (0, 0, 4, 2, (0.125, 0.75)),
+        (3, 0, 4, 2, (0.875, 0.75)),
+        (0, 1, 4, 2, (0.125, 0.25)),
+        (3, 1, 4, 2, (0.875, 0.25)),
+        (480, 270, 960, 540, (480.5 / 960.0, 1.0 - 270.5 / 540.0)),
+    ] {
+        let found = S::pixel_center(col, row, width, height);
+        assert_eq!(found, expected, "{step}: pixel ({col}, {row}) of {width}x{height}: {why}");
+    }
+}
+
+fn each_pixel_gets_the_colour_of_its_own_ray<S: Package>() {
+    let (step, width, height) = (S::NAME, 7, 5);
+    let mut colors = vec![Color::NAN; width * height];
+    S::render_loop(&Positions, &mut Image::new(width, height, 0, &mut colors), &|ray| ray.origin);
+    for (index, color) in colors.into_iter().enumerate() {
+        let (col, row) = (index % width, index / width);
+        let (u, v) = S::pixel_center(col, row, width, height);
+        assert_eq!(
+            color,
+            Vec3::new(u, v, 0.0),
+            "{step}: pixel ({col}, {row}) holds the colour of another ray than its own, \
+             the one through (u, v) = ({u}, {v})"
+        );
+    }
+}
+
+fn bands_of_rows_make_the_whole_picture<S: Package>() {
+    let (width, height) = (7, 5);
+    let mut whole = vec![Color::NAN; width * height];
+    S::render_loop(&Positions, &mut Image::new(width, height, 0, &mut whole), &|ray| ray.origin);
+    let mut bands = vec![Color::NAN; width * height];
+    for (band, colors) in bands.chunks_mut(2 * width).enumerate() {
+        let mut image = Image::new(width, height, 2 * band, colors);
+        S::render_loop(&Positions, &mut image, &|ray| ray.origin);
+    }
+    assert_eq!(bands, whole, "{}: the loop goes over image.rows(), not from 0 to height", S::NAME);
+}

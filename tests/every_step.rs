@@ -1,0 +1,480 @@
+//! The steps as the checks see them: what several of them have, under one name and in one set of
+//! types, so that one check runs against all. What later steps add to a thing stays neutral.
+
+use std::fmt::Debug;
+
+use common::Camera;
+use common::Color;
+use common::Image;
+use common::Ray;
+use common::Step;
+use common::Vec3;
+
+/// How far the closed forms may be off. Their numbers stay below 16, and one that is the result
+/// of a handful of operations is off by a handful of halves of the last bit of 16.
+pub const TOLERANCE: f32 = 32.0 * f32::EPSILON;
+
+/// Where a ray meets a surface, in every step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// How far along the ray, in units of |d|.
+    pub t: f32,
+    /// The point r(t).
+    pub point: Vec3,
+    /// The surface's unit normal.
+    pub normal: Vec3,
+}
+
+/// A sphere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ball {
+    /// In world units.
+    pub center: Vec3,
+    /// In world units.
+    pub radius: f32,
+}
+
+/// a t² + 2 b t + c = 0, its discriminant b² − a c, and its roots.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quadratic {
+    /// d·d
+    pub a: f32,
+    /// d·(p − center)
+    pub b: f32,
+    /// |p − center|² − radius²
+    pub c: f32,
+    /// b² − a c
+    pub discriminant: f32,
+    /// The smaller one first.
+    pub roots: Option<[f32; 2]>,
+}
+
+/// A material; each step takes from it what it knows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Paint {
+    /// The ambient share.
+    pub k_a: Color,
+    /// The diffuse share.
+    pub k_d: Color,
+    /// The specular share.
+    pub k_s: f32,
+    /// p
+    pub exponent: f32,
+}
+
+impl Paint {
+    /// Only a diffuse share.
+    pub const fn matte(k_d: Color) -> Self {
+        Self { k_a: Color::ZERO, k_d, k_s: 0.0, exponent: 1.0 }
+    }
+}
+
+/// A point light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Light {
+    /// In world units.
+    pub position: Vec3,
+    /// I
+    pub intensity: f32,
+    /// Whether light thins out with distance.
+    pub attenuation: bool,
+}
+
+impl Light {
+    /// A light that thins out with distance.
+    pub const fn new(position: Vec3, intensity: f32) -> Self {
+        Self { position, intensity, attenuation: true }
+    }
+}
+
+/// A scene; each step takes from it what it knows, and keeps its own ε.
+#[derive(Clone, Debug)]
+pub struct World {
+    /// The spheres.
+    pub spheres: Vec<(Ball, Paint)>,
+    /// The triangles.
+    pub triangles: Vec<([Vec3; 3], Paint)>,
+    /// What a ray sees that hits nothing.
+    pub background: Color,
+    /// The lights; step 05 knows the first.
+    pub lights: Vec<Light>,
+    /// I of the light at the camera.
+    pub camera_light: f32,
+    /// I_a
+    pub ambient: f32,
+    /// Whether objects throw shadows.
+    pub shadows: bool,
+    /// Whether highlights are Phong's.
+    pub phong: bool,
+}
+
+impl Default for World {
+    /// Nothing, before black, and shadows on.
+    fn default() -> Self {
+        Self {
+            spheres: Vec::new(),
+            triangles: Vec::new(),
+            background: Color::ZERO,
+            lights: Vec::new(),
+            camera_light: 0.0,
+            ambient: 0.0,
+            shadows: true,
+            phong: false,
+        }
+    }
+}
+
+/// Every step, 01 to 07.
+pub trait Package: Step + Clone + Default {
+    /// The step's package.
+    const NAME: &'static str;
+
+    /// The centre of pixel (col, row) in normalized coordinates.
+    fn pixel_center(col: usize, row: usize, width: usize, height: usize) -> (f32, f32);
+
+    /// The slide's loop, with any function for `trace`.
+    fn render_loop(camera: &dyn Camera, image: &mut Image<'_>, trace: &dyn Fn(&Ray) -> Color);
+}
+
+/// The steps with spheres, 02 to 07.
+pub trait Spheres: Package {
+    /// The first hit with t_min < t < t_max.
+    fn sphere(ball: Ball, ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit>;
+
+    /// The equation to be solved for it.
+    fn quadratic(ball: Ball, ray: &Ray) -> Quadratic;
+}
+
+/// The steps with triangles, 03 to 07.
+pub trait Triangles: Spheres {
+    /// The hit with t_min < t < t_max.
+    fn triangle(abc: [Vec3; 3], ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit>;
+
+    /// t and α, β, γ of the point where `ray` meets the triangle's plane.
+    fn solve(abc: [Vec3; 3], ray: &Ray) -> Option<(f32, Vec3)>;
+}
+
+/// The steps with scenes, 04 to 07.
+pub trait Scenes: Triangles {
+    /// The step's own type.
+    type Scene;
+
+    /// What this step knows of `world`, as its own scene.
+    fn scene(world: &World) -> Self::Scene;
+
+    /// The closest hit, and k_d of what was hit.
+    fn closest(scene: &Self::Scene, ray: &Ray, t_min: f32, t_max: f32) -> Option<(Hit, Color)>;
+
+    /// The colour seen along `ray`.
+    fn trace(scene: &Self::Scene, ray: &Ray) -> Color;
+}
+
+/// The steps with light, 05 to 07.
+pub trait Lights: Scenes {}
+
+/// The steps with shadows, 06 and 07.
+pub trait Shadows: Lights {
+    /// Whether anything is hit with t_min < t < t_max.
+    fn is_blocked(scene: &Self::Scene, ray: &Ray, t_min: f32, t_max: f32) -> bool;
+}
+
+macro_rules! packages {
+    ($($step:ident)*) => { $(
+        impl Package for $step::Lesson {
+            const NAME: &'static str = stringify!($step);
+
+            fn pixel_center(col: usize, row: usize, width: usize, height: usize) -> (f32, f32) {
+                $step::render::pixel_center(col, row, width, height)
+            }
+
+            fn render_loop(
+                camera: &dyn Camera,
+                image: &mut Image<'_>,
+                trace: &dyn Fn(&Ray) -> Color,
+            ) {
+                $step::render::render(camera, image, trace);
+            }
+        }
+    )* };
+}
+
+packages! {
+    step01_rays step02_sphere step03_triangle step04_scene step05_diffuse step06_shadows
+    step07_specular
+}
+
+/// A step's record as a [`Hit`].
+macro_rules! hit {
+    ($record:expr) => {
+        $record.map(|record| Hit { t: record.t, point: record.point, normal: record.normal })
+    };
+}
+
+// From step 04 on `intersect` is the trait's, which is then named after the step.
+macro_rules! spheres {
+    ($($step:ident $($surface:ident)?),* $(,)?) => { $(
+        impl Spheres for $step::Lesson {
+            fn sphere(ball: Ball, ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit> {
+                $(use $step::intersection::$surface as _;)?
+                let sphere = $step::sphere::Sphere { center: ball.center, radius: ball.radius };
+                hit!(sphere.intersect(ray, t_min, t_max))
+            }
+
+            fn quadratic(ball: Ball, ray: &Ray) -> Quadratic {
+                let sphere = $step::sphere::Sphere { center: ball.center, radius: ball.radius };
+                let equation = sphere.quadratic(ray);
+                let roots = equation.roots();
+                let $step::sphere::Quadratic { a, b, c, discriminant } = equation;
+                Quadratic { a, b, c, discriminant, roots }
+            }
+        }
+    )* };
+}
+
+spheres! {
+    step02_sphere,
+    step03_triangle,
+    step04_scene Surface,
+    step05_diffuse Surface,
+    step06_shadows Surface,
+    step07_specular Surface,
+}
+
+macro_rules! triangles {
+    ($($step:ident $($surface:ident)?),* $(,)?) => { $(
+        impl Triangles for $step::Lesson {
+            fn triangle(abc: [Vec3; 3], ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit> {
+                $(use $step::intersection::$surface as _;)?
+                hit!($step::triangle::Triangle::new(abc).intersect(ray, t_min, t_max))
+            }
+
+            fn solve(abc: [Vec3; 3], ray: &Ray) -> Option<(f32, Vec3)> {
+                $step::triangle::Triangle::new(abc).solve(ray, 0.0, f32::INFINITY)
+            }
+        }
+    )* };
+}
+
+triangles! {
+    step03_triangle,
+    step04_scene Surface,
+    step05_diffuse Surface,
+    step06_shadows Surface,
+    step07_specular Surface,
+}
+
+/// `$material` makes the step's material of a [`Paint`], `$k_d` gets its diffuse share back, and
+/// `$light` puts the lights of a [`World`] into its scene.
+macro_rules! scenes {
+    ($step:ident, $material:expr, $k_d:expr, $light:expr $(,)?) => {
+        impl Scenes for $step::Lesson {
+            type Scene = $step::scene::Scene;
+
+            fn scene(world: &World) -> Self::Scene {
+                let spheres = world.spheres.iter().map(|(ball, paint)| $step::scene::Object {
+                    name: "sphere",
+                    material: $material(paint),
+                    surface: $step::sphere::Sphere { center: ball.center, radius: ball.radius },
+                });
+                let triangles = world.triangles.iter().map(|(abc, paint)| $step::scene::Object {
+                    name: "triangle",
+                    material: $material(paint),
+                    surface: $step::triangle::Triangle::new(*abc),
+                });
+                let mut scene = $step::scene::lecture_scene();
+                scene.spheres = spheres.collect();
+                scene.triangles = triangles.collect();
+                scene.background = world.background;
+                $light(&mut scene, world);
+                scene
+            }
+
+            fn closest(
+                scene: &Self::Scene,
+                ray: &Ray,
+                t_min: f32,
+                t_max: f32,
+            ) -> Option<(Hit, Color)> {
+                let (record, object) = scene.intersect(ray, t_min, t_max)?;
+                hit!(Some(record)).zip(Some($k_d(object.material)))
+            }
+
+            fn trace(scene: &Self::Scene, ray: &Ray) -> Color {
+                scene.trace(ray, 0.0, f32::INFINITY)
+            }
+        }
+    };
+}
+
+/// A [`Light`] as the step's own.
+macro_rules! point_light {
+    ($step:ident, $light:expr) => {
+        $step::light::PointLight {
+            position: $light.position,
+            intensity: $light.intensity,
+            attenuation: $light.attenuation,
+        }
+    };
+}
+
+/// Puts all of a [`World`]'s lights into the scene of a step that knows several.
+macro_rules! many_lights {
+    ($step:ident, $scene:ident, $world:ident) => {
+        $scene.lights = $world.lights.iter().map(|light| point_light!($step, light)).collect();
+        $scene.lit = $scene.lights.len();
+        $scene.camera_light = $world.camera_light;
+        $scene.ambient = $world.ambient;
+        $scene.shadows = $world.shadows;
+    };
+}
+
+scenes! {
+    step04_scene,
+    |paint: &Paint| paint.k_d,
+    |material: Color| material,
+    |_: &mut step04_scene::scene::Scene, _: &World| (),
+}
+
+scenes! {
+    step05_diffuse,
+    |paint: &Paint| step05_diffuse::material::Material { k_d: paint.k_d },
+    |material: step05_diffuse::material::Material| material.k_d,
+    |scene: &mut step05_diffuse::scene::Scene, world: &World| {
+        let none = Light::new(Vec3::ZERO, 0.0);
+        scene.light = point_light!(step05_diffuse, world.lights.first().unwrap_or(&none));
+    },
+}
+
+scenes! {
+    step06_shadows,
+    |paint: &Paint| step06_shadows::material::Material { k_a: paint.k_a, k_d: paint.k_d },
+    |material: step06_shadows::material::Material| material.k_d,
+    |scene: &mut step06_shadows::scene::Scene, world: &World| {
+        many_lights!(step06_shadows, scene, world);
+    },
+}
+
+scenes! {
+    step07_specular,
+    |paint: &Paint| step07_specular::material::Material {
+        k_a: paint.k_a,
+        k_d: paint.k_d,
+        k_s: paint.k_s,
+        exponent: paint.exponent,
+    },
+    |material: step07_specular::material::Material| material.k_d,
+    |scene: &mut step07_specular::scene::Scene, world: &World| {
+        many_lights!(step07_specular, scene, world);
+        scene.phong = world.phong;
+    },
+}
+
+impl Lights for step05_diffuse::Lesson {}
+impl Lights for step06_shadows::Lesson {}
+impl Lights for step07_specular::Lesson {}
+
+macro_rules! shadows {
+    ($($step:ident)*) => { $(
+        impl Shadows for $step::Lesson {
+            fn is_blocked(scene: &Self::Scene, ray: &Ray, t_min: f32, t_max: f32) -> bool {
+                scene.blocker(ray, t_min, t_max).is_some()
+            }
+        }
+    )* };
+}
+
+shadows!(step06_shadows step07_specular);
+
+/// Makes a test of each check, a function that is generic over the step, for every step that has
+/// the thing checked: `checks!(spheres { one, another })` gives `spheres::step02_sphere::one` …
+#[macro_export]
+macro_rules! checks {
+    (packages $checks:tt) => {
+        $crate::checks!(@ packages $checks step01_rays step02_sphere step03_triangle step04_scene
+            step05_diffuse step06_shadows step07_specular);
+    };
+    (spheres $checks:tt) => {
+        $crate::checks!(@ spheres $checks step02_sphere step03_triangle step04_scene
+            step05_diffuse step06_shadows step07_specular);
+    };
+    (triangles $checks:tt) => {
+        $crate::checks!(@ triangles $checks step03_triangle step04_scene step05_diffuse
+            step06_shadows step07_specular);
+    };
+    (scenes $checks:tt) => {
+        $crate::checks!(@ scenes $checks step04_scene step05_diffuse step06_shadows
+            step07_specular);
+    };
+    (lights $checks:tt) => {
+        $crate::checks!(@ lights $checks step05_diffuse step06_shadows step07_specular);
+    };
+    (shadows $checks:tt) => {
+        $crate::checks!(@ shadows $checks step06_shadows step07_specular);
+    };
+    (@ $thing:ident $checks:tt $($step:ident)*) => {
+        mod $thing {
+            $( $crate::checks!(@@ $step $checks); )*
+        }
+    };
+    (@@ $step:ident { $($check:ident),* $(,)? }) => {
+        mod $step {
+            $(
+                #[test]
+                fn $check() {
+                    super::super::$check::<::$step::Lesson>();
+                }
+            )*
+        }
+    };
+}
+
+/// What can be nearly equal.
+pub trait Near: Copy + Debug {
+    /// The largest difference in any part; not a number if any is none.
+    fn difference(self, other: Self) -> f32;
+}
+
+impl Near for f32 {
+    fn difference(self, other: Self) -> f32 {
+        (self - other).abs()
+    }
+}
+
+impl Near for Vec3 {
+    fn difference(self, other: Self) -> f32 {
+        let parts = (self - other).abs();
+        if parts.is_nan() { f32::NAN } else { parts.max_element() }
+    }
+}
+
+/// Fails unless `found` is `expected` within [`TOLERANCE`], with the step's name and `why`.
+#[track_caller]
+pub fn near<S: Package, T: Near>(what: &str, found: T, expected: T, why: &str) {
+    within::<S, T>(what, found, expected, TOLERANCE, why);
+}
+
+/// Fails unless `found` is `expected` within `tolerance`, with the step's name and `why`.
+#[track_caller]
+pub fn within<S: Package, T: Near>(what: &str, found: T, expected: T, tolerance: f32, why: &str) {
+    let step = S::NAME;
+    assert!(
+        found.difference(expected) <= tolerance,
+        "{step}: {what} is {found:?} and should be {expected:?}, within {tolerance:e}: {why}"
+    );
+}
+
+/// The hit, which must be there; fails with the step's name and `why`.
+#[track_caller]
+pub fn hit<S: Package>(hit: Option<Hit>, why: &str) -> Hit {
+    let Some(hit) = hit else {
+        panic!("{}: nothing is hit, and something should be: {why}", S::NAME);
+    };
+    hit
+}
+
+/// Fails if there is a hit, with the step's name and `why`.
+#[track_caller]
+pub fn miss<S: Package>(hit: Option<Hit>, why: &str) {
+    let step = S::NAME;
+    assert!(hit.is_none(), "{step}: {hit:?} was found, and nothing should be hit: {why}");
+}

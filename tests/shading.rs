@@ -1,0 +1,409 @@
+//! What colour a hit gets: closed forms, for every step that has the thing.
+
+use common::Color;
+use common::Ray;
+use common::Vec3;
+use step07_specular::Lesson as Specular;
+use step07_specular::material::reflect;
+use tests::checks;
+use tests::every_step::Ball;
+use tests::every_step::Light;
+use tests::every_step::Lights;
+use tests::every_step::Paint;
+use tests::every_step::Scenes;
+use tests::every_step::Shadows;
+use tests::every_step::TOLERANCE;
+use tests::every_step::World;
+use tests::every_step::near;
+use tests::every_step::within;
+
+checks!(lights {
+    a_face_turned_by_60_degrees_takes_half_the_light,
+    twice_the_distance_takes_a_quarter,
+    without_attenuation_distance_does_not_matter,
+    light_is_reflected_alike_in_all_directions,
+    a_light_behind_the_surface_adds_nothing,
+    the_side_that_is_seen_is_the_one_lit,
+    a_sphere_is_lit_by_its_normal,
+    a_longer_direction_sees_the_same_colour,
+    a_light_on_the_surface_is_no_light_of_infinite_brightness,
+});
+
+checks!(shadows {
+    a_blocked_light_adds_nothing,
+    what_does_not_stand_between_does_not_block,
+    any_object_in_range_blocks,
+    nothing_shadows_itself,
+    without_shadows_nothing_blocks,
+    lights_add_up,
+    only_ambient_light_is_left_in_the_dark,
+    the_light_at_the_camera_is_a_light_there,
+});
+
+const PAINT: Paint = Paint {
+    k_a: Color::new(0.125, 0.25, 0.0625),
+    k_d: Color::new(0.75, 0.5, 0.25),
+    k_s: 0.0,
+    exponent: 1.0,
+};
+
+/// Where the colour is looked at from: not from straight above.
+const EYE: Vec3 = Vec3::new(1.0, 3.0, 2.0);
+
+/// Two units above what is looked at; I/r² is 2.
+const ABOVE: Light = Light::new(Vec3::new(0.0, 2.0, 0.0), 8.0);
+
+/// A triangle around the world's origin, horizontal and then turned around z.
+fn patch(degrees: f32) -> [Vec3; 3] {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    [[-3.0, -2.0], [3.0, -2.0], [0.0, 4.0]].map(|[x, z]| Vec3::new(x * cos, x * sin, z))
+}
+
+/// The patch under `lights`.
+fn lit(degrees: f32, lights: &[Light]) -> World {
+    World { triangles: vec![(patch(degrees), PAINT)], lights: lights.to_vec(), ..World::default() }
+}
+
+/// The colour of the world's origin, seen from `eye`.
+fn seen<S: Scenes>(world: &World, eye: Vec3) -> Color {
+    S::trace(&S::scene(world), &Ray::new(eye, -eye.normalize()))
+}
+
+fn a_face_turned_by_60_degrees_takes_half_the_light<S: Lights>() {
+    let full = seen::<S>(&lit(0.0, &[ABOVE]), EYE);
+    let why = "L_d = k_d (I/r²) max(0, n·l): the face looks straight at the light, n·l = 1";
+    near::<S, _>("the colour", full, PAINT.k_d * 2.0, why);
+    let turned = seen::<S>(&lit(60.0, &[ABOVE]), EYE);
+    let why = "a cube's face turned by 60° intercepts half the light, n·l = cos 60° = ½";
+    near::<S, _>("the colour", turned, PAINT.k_d, why);
+}
+
+fn twice_the_distance_takes_a_quarter<S: Lights>() {
+    for (distance, share) in [(1.0, 8.0), (2.0, 2.0), (4.0, 0.5), (8.0, 0.125)] {
+        let light = Light::new(distance * Vec3::Y, 8.0);
+        let why = format!("I/r² with I = 8 and r = {distance}: r², not r");
+        let found = seen::<S>(&lit(0.0, &[light]), EYE);
+        near::<S, _>("the colour", found, PAINT.k_d * share, &why);
+    }
+}
+
+fn without_attenuation_distance_does_not_matter<S: Lights>() {
+    for distance in [1.0, 2.0, 8.0] {
+        let light = Light { position: distance * Vec3::Y, intensity: 2.0, attenuation: false };
+        let found = seen::<S>(&lit(0.0, &[light]), EYE);
+        near::<S, _>("the colour", found, PAINT.k_d * 2.0, "attenuation is off: I instead of I/r²");
+    }
+}
+
+fn light_is_reflected_alike_in_all_directions<S: Lights>() {
+    for eye in [[0.5, 9.0, 0.0], [5.0, 0.25, 0.0], [-3.0, 1.0, -3.0], [0.0, 1.0, 7.0]] {
+        let found = seen::<S>(&lit(0.0, &[ABOVE]), Vec3::from(eye));
+        let why = format!("diffuse light does not depend on the view direction, here from {eye:?}");
+        near::<S, _>("the colour", found, PAINT.k_d * 2.0, &why);
+    }
+}
+
+fn a_light_behind_the_surface_adds_nothing<S: Lights>() {
+    for light in [[0.0, -2.0, 0.0], [4.0, -0.5, 1.0]] {
+        let world = World { shadows: false, ..lit(0.0, &[Light::new(Vec3::from(light), 8.0)]) };
+        let why = format!("n·l < 0 for a light at {light:?}: max(0, n·l) is 0");
+        near::<S, _>("the colour", seen::<S>(&world, EYE), Color::ZERO, &why);
+    }
+}
+
+fn the_side_that_is_seen_is_the_one_lit<S: Lights>() {
+    let below = Light::new(-ABOVE.position, ABOVE.intensity);
+    let [a, b, c] = patch(0.0);
+    for abc in [[a, b, c], [a, c, b]] {
+        for (eye, light, share) in
+            [(EYE, ABOVE, 2.0), (-EYE, below, 2.0), (EYE, below, 0.0), (-EYE, ABOVE, 0.0)]
+        {
+            let world = World { triangles: vec![(abc, PAINT)], ..lit(0.0, &[light]) };
+            let why = "a triangle has two sides: n is turned towards the viewer before shading";
+            near::<S, _>("the colour", seen::<S>(&world, eye), PAINT.k_d * share, why);
+        }
+    }
+}
+
+fn a_sphere_is_lit_by_its_normal<S: Lights>() {
+    // The point (3, 4, 0) of a sphere of radius 5, its normal (0.6, 0.8, 0), seen from far outside.
+    let (point, normal) = (Vec3::new(3.0, 4.0, 0.0), Vec3::new(0.6, 0.8, 0.0));
+    let spheres = vec![(Ball { center: Vec3::ZERO, radius: 5.0 }, PAINT)];
+    for (towards, cosine) in [
+        (normal, 1.0),
+        (Vec3::Y, 0.8),
+        (Vec3::X, 0.6),
+        (Vec3::new(-0.8, 0.6, 0.0), 0.0),
+        (-normal, 0.0),
+    ] {
+        let lights = vec![Light::new(point + 2.0 * towards, 8.0)];
+        let world = World { spheres: spheres.clone(), lights, shadows: false, ..World::default() };
+        let ray = Ray::new(Vec3::new(3.0, 9.0, 0.0), Vec3::NEG_Y);
+        let found = S::trace(&S::scene(&world), &ray);
+        let why = format!("n·l = {cosine} with n = (point − center) / radius, l towards {towards}");
+        near::<S, _>("the colour", found, PAINT.k_d * 2.0 * cosine, &why);
+    }
+}
+
+fn a_longer_direction_sees_the_same_colour<S: Lights>() {
+    let paint = Paint { k_s: 0.5, exponent: 8.0, ..PAINT };
+    let world =
+        World { triangles: vec![(patch(20.0), paint)], lights: vec![ABOVE], ..World::default() };
+    let scene = S::scene(&world);
+    let expected = seen::<S>(&world, EYE);
+    for alpha in [0.001, 0.3, 4.0, 1000.0] {
+        let found = S::trace(&scene, &Ray::new(EYE, -alpha * EYE.normalize()));
+        let why = format!("α d is the same ray as d, here with α = {alpha}: v has unit length");
+        near::<S, _>("the colour", found, expected, &why);
+    }
+}
+
+fn a_light_on_the_surface_is_no_light_of_infinite_brightness<S: Lights>() {
+    let paint = Paint { k_s: 0.5, ..PAINT };
+    let world = World {
+        triangles: vec![(patch(0.0), paint)],
+        lights: vec![Light::new(Vec3::ZERO, 8.0)],
+        ..World::default()
+    };
+    let color = seen::<S>(&world, EYE);
+    assert!(color.is_finite(), "{}: the colour is {color} where r = 0", S::NAME);
+}
+
+/// What may stand around: small spheres, and triangles parallel to the patch.
+fn blockers(height: f32) -> [World; 2] {
+    let ball = Ball { center: height * Vec3::Y, radius: 0.25 };
+    let small = patch(0.0).map(|vertex| vertex / 16.0 + height * Vec3::Y);
+    let base = World { ambient: 1.0, ..lit(0.0, &[ABOVE]) };
+    let mut with_triangle = base.clone();
+    with_triangle.triangles.push((small, PAINT));
+    [World { spheres: vec![(ball, PAINT)], ..base }, with_triangle]
+}
+
+fn a_blocked_light_adds_nothing<S: Shadows>() {
+    let fill = Light::new(Vec3::new(2.0, 0.0, 0.0) + 2.0 * Vec3::Y, 8.0);
+    let alone = seen::<S>(&lit(0.0, &[fill]), EYE);
+    for world in blockers(1.0) {
+        let why = "the shadow ray from the point to the light is blocked: only k_a I_a is left";
+        near::<S, _>("the colour", seen::<S>(&world, EYE), PAINT.k_a, why);
+        for lights in [vec![ABOVE, fill], vec![fill, ABOVE]] {
+            let why = "one light is blocked, the other one still adds its part";
+            let found = seen::<S>(&World { lights, ..world.clone() }, EYE);
+            near::<S, _>("the colour", found, PAINT.k_a + alone, why);
+        }
+    }
+}
+
+fn what_does_not_stand_between_does_not_block<S: Shadows>() {
+    let lit = PAINT.k_a + PAINT.k_d * 2.0;
+    for (height, why) in [
+        (3.0, "the object lies beyond the light: shadow rays end there, t < 1"),
+        (2.5, "the object lies just beyond the light: shadow rays end there, t < 1"),
+        (-1.0, "the object lies behind the surface: shadow rays begin at the point, t > ε"),
+    ] {
+        for world in blockers(height) {
+            near::<S, _>("the colour", seen::<S>(&world, EYE), lit, why);
+        }
+    }
+}
+
+fn any_object_in_range_blocks<S: Shadows>() {
+    let step = S::NAME;
+    let triangles = [4.0, 0.5, 1.0].map(|y| (patch(0.0).map(|vertex| vertex + y * Vec3::Y), PAINT));
+    let scene = S::scene(&World { triangles: triangles.to_vec(), ..World::default() });
+    // Triangles at t = ¼, ½ and 2.
+    let ray = Ray::new(Vec3::ZERO, 2.0 * Vec3::Y);
+    for (t_min, t_max, blocked) in [
+        (0.0, 1.0, true),
+        (0.0, 0.25, false),
+        (0.25, 0.5, false),
+        (0.25, 1.0, true),
+        (0.5, 1.0, false),
+        (0.5, 2.0, false),
+        (0.5, 3.0, true),
+        (2.0, 9.0, false),
+    ] {
+        let found = S::is_blocked(&scene, &ray, t_min, t_max);
+        let why = "any object counts, in whatever order, with t_min < t < t_max";
+        assert_eq!(found, blocked, "{step}: blocked for {t_min} < t < {t_max}: {why}");
+    }
+}
+
+fn nothing_shadows_itself<S: Shadows>() {
+    let world = World {
+        spheres: vec![(Ball { center: Vec3::new(-0.3, 1.0, 0.0), radius: 1.0 }, PAINT)],
+        lights: vec![Light::new(Vec3::new(4.0, 6.0, 5.0), 42.0)],
+        ..World::default()
+    };
+    let floor = [[-20.0, -20.0], [20.0, -20.0], [0.0, 20.0]].map(|[x, z]| Vec3::new(x, 0.0, z));
+    let floor = World { spheres: Vec::new(), triangles: vec![(floor, PAINT)], ..world.clone() };
+    for world in [world, floor] {
+        let unshadowed = S::scene(&World { shadows: false, ..world.clone() });
+        let scene = S::scene(&world);
+        let eye = Vec3::new(0.0, 2.4, 7.0);
+        for (i, j) in (0..80).flat_map(|i| (0..80).map(move |j| (i as f32, j as f32))) {
+            let ray = Ray::new(eye, Vec3::new(i / 40.0 - 1.0, j / 40.0 - 1.3, -3.0));
+            let why = "a single convex object has no shadow on its lit side; shadow acne means \
+                       that shadow rays hit the surface they start from, which ε prevents";
+            near::<S, _>("the colour", S::trace(&scene, &ray), S::trace(&unshadowed, &ray), why);
+        }
+    }
+}
+
+fn without_shadows_nothing_blocks<S: Shadows>() {
+    for world in blockers(1.0) {
+        let found = seen::<S>(&World { shadows: false, ..world }, EYE);
+        let why = "shadows are off: the light adds its part whatever stands between";
+        near::<S, _>("the colour", found, PAINT.k_a + PAINT.k_d * 2.0, why);
+    }
+}
+
+fn lights_add_up<S: Shadows>() {
+    let fill = Light::new(Vec3::new(-2.0, 1.0, 0.5), 3.0);
+    let third = Light::new(Vec3::new(1.0, 2.0, -1.0), 5.0);
+    let paint = Paint { k_s: 0.5, exponent: 8.0, ..PAINT };
+    let world = |ambient, lights: &[Light]| World {
+        triangles: vec![(patch(10.0), paint)],
+        ambient,
+        ..lit(10.0, lights)
+    };
+    let ambient = seen::<S>(&world(0.5, &[]), EYE);
+    let [one, two, three] = [ABOVE, fill, third].map(|light| seen::<S>(&world(0.0, &[light]), EYE));
+    assert!(one.min(two).min(three).cmpgt(Color::ZERO).all(), "each light must add something");
+    let why = "L = L_a + the sum of L_d + L_s over all lights";
+    for (lights, sum) in [
+        (vec![ABOVE, fill], one + two),
+        (vec![third, ABOVE], three + one),
+        (vec![ABOVE, fill, third], one + two + three),
+    ] {
+        near::<S, _>("the colour", seen::<S>(&world(0.5, &lights), EYE), ambient + sum, why);
+    }
+}
+
+fn only_ambient_light_is_left_in_the_dark<S: Shadows>() {
+    for ambient in [0.0, 0.5, 1.0, 4.0] {
+        let found = seen::<S>(&World { ambient, ..lit(0.0, &[]) }, EYE);
+        near::<S, _>("the colour", found, PAINT.k_a * ambient, "with no light L = k_a I_a");
+    }
+}
+
+fn the_light_at_the_camera_is_a_light_there<S: Shadows>() {
+    let at_eye = lit(0.0, &[ABOVE, Light::new(EYE, 5.0)]);
+    let camera_light = World { camera_light: 5.0, ..lit(0.0, &[ABOVE]) };
+    let why = "the light at the camera is one more light, at the origin of the viewing ray";
+    near::<S, _>("the colour", seen::<S>(&camera_light, EYE), seen::<S>(&at_eye, EYE), why);
+}
+
+/// The highlight of I/r² = 2 and k_s = ½ on the horizontal patch; l is 30° from the normal, v is
+/// `off` degrees from where l is mirrored, all in one plane.
+fn highlight(off: f32, exponent: f32, phong: bool) -> Color {
+    let at = |degrees: f32| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        Vec3::new(sin, cos, 0.0)
+    };
+    let paint = Paint { k_s: 0.5, exponent, ..Paint::matte(Color::ZERO) };
+    let world = World {
+        triangles: vec![(patch(0.0), paint)],
+        lights: vec![Light::new(2.0 * at(-30.0), 8.0)],
+        phong,
+        ..World::default()
+    };
+    seen::<Specular>(&world, 3.0 * at(30.0 + off))
+}
+
+#[test]
+fn the_highlight_is_a_power_of_the_cosine() {
+    for exponent in [1.0, 10.0, 100.0, 400.0, 1000.0] {
+        for off in (-50..=50).step_by(5).map(|off| off as f32) {
+            // A cosine that is off by some last bits has a p-th power that is off by p times that.
+            let tolerance = exponent * TOLERANCE / 16.0 + TOLERANCE;
+            for (phong, angle, why) in [
+                (false, off / 2.0, "L_s = k_s (I/r²) max(0, n·h)^p, and h turns half as far as v"),
+                (true, off, "Phong's form: L_s = k_s (I/r²) max(0, v_r·v)^p"),
+            ] {
+                let expected = Color::splat(angle.to_radians().cos().powf(exponent));
+                let found = highlight(off, exponent, phong);
+                let what = format!("L_s with p = {exponent}, {off}° off the mirror direction");
+                within::<Specular, _>(&what, found, expected, tolerance, why);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_highlight_peaks_where_v_is_l_mirrored_in_n() {
+    for phong in [false, true] {
+        for exponent in [1.0, 10.0, 100.0, 1000.0] {
+            let peak = highlight(0.0, exponent, phong).x;
+            let mut last = peak;
+            for off in (2..=50).step_by(2).map(|off| off as f32) {
+                let sides = [off, -off].map(|off| highlight(off, exponent, phong).x);
+                assert!(
+                    sides.iter().all(|&side| side < last || side == 0.0),
+                    "step07_specular: the highlight falls on both sides of the mirror direction, \
+                     p = {exponent}, {off}° off: {sides:?}, nearer to it {last}, peak {peak}"
+                );
+                last = sides[0].max(sides[1]);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_highlight_narrows_as_p_grows() {
+    for phong in [false, true] {
+        // The first whole degree at which less than half of the peak is left.
+        let widths = [8.0, 32.0, 128.0, 512.0].map(|exponent| {
+            let half = highlight(0.0, exponent, phong).x / 2.0;
+            (1..60).find(|&off| highlight(off as f32, exponent, phong).x < half).unwrap_or(60)
+        });
+        let narrows = widths.is_sorted_by(|wider, narrower| wider > narrower);
+        assert!(narrows, "step07_specular: p = 8, 32, 128, 512 gives half-widths of {widths:?}°");
+    }
+}
+
+#[test]
+fn a_light_behind_the_surface_adds_no_highlight() {
+    let paint = Paint { k_s: 1.0, exponent: 1.0, ..Paint::matte(Color::ZERO) };
+    // Just below the surface's horizon, so that h still lies above it.
+    let world = World {
+        triangles: vec![(patch(0.0), paint)],
+        lights: vec![Light::new(Vec3::new(2.0, -0.25, 0.0), 8.0)],
+        shadows: false,
+        ..World::default()
+    };
+    for phong in [false, true] {
+        let found = seen::<Specular>(&World { phong, ..world.clone() }, Vec3::new(-1.0, 1.0, 0.0));
+        let why = "n·l < 0: light that cannot reach the surface has no highlight on it";
+        near::<Specular, _>("L_s", found, Color::ZERO, why);
+    }
+}
+
+#[test]
+fn the_highlight_and_the_diffuse_light_add_up() {
+    let look = |k_d, k_s| {
+        let paint = Paint { k_d, k_s, exponent: 4.0, ..PAINT };
+        let triangles = vec![(patch(10.0), paint)];
+        seen::<Specular>(&World { triangles, ..lit(0.0, &[ABOVE]) }, EYE)
+    };
+    let (diffuse, specular) = (look(PAINT.k_d, 0.0), look(Color::ZERO, 0.5));
+    assert!(specular.x > 0.0, "there is a highlight to add");
+    assert_eq!(specular, Color::splat(specular.x), "k_s is the same in every channel");
+    near::<Specular, _>("L", look(PAINT.k_d, 0.5), diffuse + specular, "L = L_a + L_d + L_s");
+}
+
+#[test]
+fn a_vector_is_mirrored_in_a_normal() {
+    let why = "v_r = d − 2 (d·n) n";
+    let n = Vec3::new(0.6, 0.8, 0.0);
+    let along = Vec3::new(0.8, -0.6, 0.0);
+    for (d, expected) in [
+        (n, -n),
+        (-n, n),
+        (along, along),
+        (Vec3::Z, Vec3::Z),
+        (along - n, along + n),
+        (3.0 * along - 2.0 * n + Vec3::Z, 3.0 * along + 2.0 * n + Vec3::Z),
+    ] {
+        near::<Specular, _>("v_r", reflect(d, n), expected, why);
+    }
+}
