@@ -20,10 +20,15 @@ fn controls<'a>(step: &'a mut dyn Step, view: &'a mut View) -> Vec<Control<'a>> 
 }
 
 /// Where a control has to be tried with another one moved first, and why.
-const FIRST: [(&str, &str, &[(&str, &str)]); 1] = [
+const FIRST: [(&str, &str, &[(&str, &str)]); 4] = [
     // Moving straight back leaves all directions as they are, and the one origin of perspective
     // soon lies beyond the colours; a parallel view grows with the distance.
     ("step01_rays", "distance", &[("shown", "origin"), ("camera", "parallel")]),
+    // A white sphere in the middle looks the same from all sides.
+    ("step02_sphere", "azimuth", &[("center.x", "0.5")]),
+    ("step02_sphere", "elevation", &[("center.y", "0.5")]),
+    // Both cameras show the same in the plane of the target, where the triangle stands.
+    ("step03_triangle", "camera", &[("a.z", "1")]),
 ];
 
 /// Choices that do not show themselves: they say what the next control acts on.

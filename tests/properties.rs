@@ -1,1 +1,443 @@
-//! x
+//! What holds for any ray, scene and light. Cases that once failed are kept in
+//! `properties.regressions`, and are tried first.
+//!
+//! `PROPTEST_CASES` sets how many cases are tried.
+
+use common::Color;
+use common::Ray;
+use common::Vec3;
+use proptest::collection::vec;
+use proptest::prelude::*;
+use proptest::test_runner::Config;
+use proptest::test_runner::FileFailurePersistence;
+use proptest::test_runner::TestCaseResult;
+use proptest::test_runner::TestRunner;
+use tests::checks;
+use tests::every_step::Ball;
+use tests::every_step::Hit;
+use tests::every_step::Light;
+use tests::every_step::Lights;
+use tests::every_step::Package;
+use tests::every_step::Paint;
+use tests::every_step::Scenes;
+use tests::every_step::Shadows;
+use tests::every_step::Spheres;
+use tests::every_step::Triangles;
+use tests::every_step::World;
+
+checks!(spheres { hits_lie_on_the_sphere });
+
+checks!(triangles { hits_lie_on_the_triangle });
+
+checks!(scenes { the_closest_hit_is_that_of_brute_force });
+
+checks!(lights { light_is_linear_in_i_and_k, no_finite_scene_has_a_colour_that_is_none });
+
+checks!(shadows { light_is_the_sum_of_its_parts, visibility_is_mutual });
+
+/// Tries `property` of the step on values of `strategy`; a failure prints the simplest that fails.
+fn hold<S: Package, T: Strategy>(strategy: T, property: impl Fn(T::Value) -> TestCaseResult) {
+    let persistence = FileFailurePersistence::WithSource("regressions");
+    let config = Config::default();
+    let config = Config {
+        // Some cases are left out, as each property says.
+        max_global_rejects: config.cases.saturating_mul(4),
+        failure_persistence: Some(Box::new(persistence)),
+        source_file: Some(file!()),
+        ..config
+    };
+    let result = TestRunner::new(config).run(&strategy, property);
+    if let Err(error) = result {
+        panic!("{}: {error}", S::NAME);
+    }
+}
+
+/// Points whose coordinates lie within ±`size`.
+fn point(size: f32) -> impl Strategy<Value = Vec3> {
+    [-size..size, -size..size, -size..size].prop_map(Vec3::from)
+}
+
+fn direction() -> impl Strategy<Value = Vec3> {
+    let vector = point(1.0).prop_filter("a direction has a length", |d| d.length() > 0.1);
+    vector.prop_map(|d| d.normalize())
+}
+
+/// Rays from anywhere to anywhere within ±10, with |d| from 0.01 to 100.
+fn ray() -> impl Strategy<Value = Ray> {
+    (point(10.0), direction(), -2.0..2.0_f32)
+        .prop_map(|(origin, d, power)| Ray::new(origin, d * 10.0_f32.powf(power)))
+}
+
+/// Rays towards a point near `target`, so that many of them hit.
+fn towards(ray: &Ray, target: Vec3) -> Ray {
+    let d = target - ray.origin;
+    let d = if d.length() > 0.01 { d.normalize() } else { Vec3::X };
+    Ray::new(ray.origin, d * ray.direction.length())
+}
+
+fn ball() -> impl Strategy<Value = Ball> {
+    (point(10.0), 0.1..5.0_f32).prop_map(|(center, radius)| Ball { center, radius })
+}
+
+/// Triangles whose height is at least a tenth of their longest edge, which is at least 0.1: with
+/// less the last bits of the vertices decide which way the triangle faces.
+fn triangle() -> impl Strategy<Value = [Vec3; 3]> {
+    let abc = (point(10.0), point(5.0), point(5.0)).prop_map(|(a, u, v)| [a, a + u, a + v]);
+    abc.prop_filter("a triangle has area", |[a, b, c]| {
+        let (u, v) = (b - a, c - a);
+        let longest = u.length().max(v.length()).max((v - u).length());
+        longest > 0.1 && u.cross(v).length() > 0.1 * longest * longest
+    })
+}
+
+/// How far from a surface a hit may be.
+///
+/// The point p + t d is rounded to the last bit of what it is added up from, and so is all that t
+/// is computed from: lengths up to |p|, |t d|, |center| and the radius. A dozen roundings, each by
+/// half a last bit, are 6 ε times the sum of these; ten thousand cases came to 1 ε at most.
+/// A grazing ray does not make it worse: t is then off by more, but along the surface.
+fn off_surface(lengths: f32) -> f32 {
+    6.0 * f32::EPSILON * lengths
+}
+
+/// Outside and inside are looked at this far from the surface, along the normal.
+const BESIDE: f64 = 1e-3;
+
+fn hits_lie_on_the_sphere<S: Spheres>() {
+    hold::<S, _>((ball(), ray(), point(1.2)), |(ball, ray, near)| {
+        let ray = towards(&ray, ball.center + ball.radius * near);
+        let Some(hit) = S::sphere(ball, &ray, 0.0, f32::INFINITY) else { return Ok(()) };
+        let lengths = [ray.origin, hit.t * ray.direction, ball.center].map(|v| v.length());
+        let tolerance = off_surface(lengths.iter().sum::<f32>() + ball.radius);
+        let center = ball.center.as_dvec3();
+        let radius = f64::from(ball.radius);
+        let height = |beside: f64| {
+            let point = hit.point.as_dvec3() + beside * hit.normal.as_dvec3();
+            (point - center).length() - radius
+        };
+        prop_assert!(hit.t > 0.0 && hit.t.is_finite(), "t > 0 makes a ray of the line: {hit:?}");
+        let off = height(0.0);
+        prop_assert!(
+            off.abs() <= f64::from(tolerance),
+            "the point of {hit:?} is {off:e} off the sphere, and at most {tolerance:e} is rounding"
+        );
+        prop_assert!(height(BESIDE) > 0.0, "the normal of {hit:?} should point outside");
+        prop_assert!(height(-BESIDE) < 0.0, "against the normal of {hit:?} should be inside");
+        unit_normal(&hit)
+    });
+}
+
+fn unit_normal(hit: &Hit) -> TestCaseResult {
+    let off = (hit.normal.length() - 1.0).abs();
+    // Normalising takes a square root, a division and three products.
+    prop_assert!(off <= 4.0 * f32::EPSILON, "the normal of {hit:?} has no unit length");
+    Ok(())
+}
+
+fn hits_lie_on_the_triangle<S: Triangles>() {
+    hold::<S, _>((triangle(), ray(), [0.0..1.0_f32, 0.0..1.0]), |(abc, ray, [i, j])| {
+        let [a, b, c] = abc;
+        let (i, j) = if i + j <= 1.0 { (i, j) } else { (1.0 - i, 1.0 - j) };
+        let ray = towards(&ray, a + i * (b - a) + j * (c - a));
+        let Some(hit) = S::triangle(abc, &ray, 0.0, f32::INFINITY) else { return Ok(()) };
+        let [a, b, c] = abc.map(|vertex| vertex.as_dvec3());
+        let normal = (b - a).cross(c - a).normalize();
+        let d = ray.direction.normalize();
+        let cosine = normal.dot(d.as_dvec3()).abs();
+        // The smaller the angle to the plane, the further the ray goes while it is hardly above it.
+        prop_assume!(cosine > 0.01);
+        // The vertices' differences, of at most 20, are themselves rounded; a tenth is the least
+        // height over length of the triangles tried, so that the plane is tilted by ten times that.
+        let lengths = ray.origin.length() + (hit.t * ray.direction).length() + 10.0 * 20.0;
+        let tolerance = off_surface(lengths);
+        let height =
+            |beside: f64| (hit.point.as_dvec3() + beside * hit.normal.as_dvec3() - a).dot(normal);
+        prop_assert!(hit.t > 0.0 && hit.t.is_finite(), "t > 0 makes a ray of the line: {hit:?}");
+        let off = height(0.0);
+        prop_assert!(
+            off.abs() <= f64::from(tolerance),
+            "the point of {hit:?} is {off:e} off the plane, and at most {tolerance:e} is rounding"
+        );
+        prop_assert!(height(BESIDE) > 0.0, "the normal of {hit:?} is (b − a) × (c − a)");
+        prop_assert!(height(-BESIDE) < 0.0, "the normal of {hit:?} is (b − a) × (c − a)");
+        let Some((_, weights)) = S::solve(abc, &ray) else {
+            return Err(TestCaseError::fail("a triangle that is hit has a solution"));
+        };
+        let [x, y, z] = weights.to_array().map(f64::from);
+        let off = (x * a + y * b + z * c - hit.point.as_dvec3()).length();
+        // In the plane the point moves by its distance from the plane over the angle's sine.
+        let tolerance = f64::from(tolerance) / cosine;
+        prop_assert!(off <= tolerance, "α a + β b + γ c is {off:e} off the point of {hit:?}");
+        unit_normal(&hit)
+    });
+}
+
+/// A hit as f64 finds it, in world lengths along the ray.
+#[derive(Clone, Copy, Debug)]
+struct Candidate {
+    distance: f64,
+    /// How far rounding may move it.
+    tolerance: f64,
+    /// Whether rounding cannot decide whether it is one.
+    sure: bool,
+}
+
+/// Closer than this to a silhouette, an edge or the ray's ends, in world units, rounding decides.
+const DOUBT: f64 = 1e-3;
+
+/// All hits, by the textbook formulas in f64.
+fn brute_force(world: &World, ray: &Ray) -> Vec<Candidate> {
+    let (p, d) = (ray.origin.as_dvec3(), ray.direction.as_dvec3().normalize());
+    let mut candidates = Vec::new();
+    for (ball, _) in &world.spheres {
+        let (center, radius) = (ball.center.as_dvec3(), f64::from(ball.radius));
+        let o = p - center;
+        let (b, c) = (d.dot(o), o.dot(o) - radius * radius);
+        let beside = (o - b * d).length();
+        // Just beside the sphere f32 may still find a point that touches it.
+        let half_chord = (b * b - c).max(0.0).sqrt();
+        if beside > radius + DOUBT {
+            continue;
+        }
+        let lengths = (p.length() + center.length() + o.length() + radius) as f32;
+        // Along the chord the surface is off by as much more as it is steep to it.
+        let steep = 1.0 + radius / half_chord.max(DOUBT);
+        let tolerance = f64::from(off_surface(lengths)) * steep
+            + if beside > radius - DOUBT { (2.0 * radius * DOUBT).sqrt() } else { 0.0 };
+        for distance in [-b - half_chord, -b + half_chord] {
+            let sure = beside < radius - DOUBT;
+            candidates.push(Candidate { distance, tolerance, sure });
+        }
+    }
+    for (abc, _) in &world.triangles {
+        let [a, b, c] = abc.map(|vertex| vertex.as_dvec3());
+        let cross = (b - a).cross(c - a);
+        let normal = cross.normalize();
+        let cosine = normal.dot(d);
+        let distance = normal.dot(a - p) / cosine;
+        let point = p + distance * d;
+        // How far inside the point is, from each edge.
+        let inside = [(a, b), (b, c), (c, a)]
+            .map(|(from, to)| normal.cross((to - from).normalize()).dot(point - from));
+        let inside = inside.into_iter().fold(f64::INFINITY, f64::min);
+        if inside < -DOUBT {
+            continue;
+        }
+        let lengths = (p.length() + distance.abs()) as f32 + 10.0 * 20.0;
+        let tolerance = f64::from(off_surface(lengths)) / cosine.abs();
+        candidates.push(Candidate { distance, tolerance, sure: inside > DOUBT });
+    }
+    candidates.retain(|candidate| candidate.distance > -DOUBT);
+    for candidate in &mut candidates {
+        candidate.sure &= candidate.distance > DOUBT;
+    }
+    candidates
+}
+
+/// Up to six spheres and six triangles.
+fn world() -> impl Strategy<Value = World> {
+    let paint = Paint::matte(Color::ONE);
+    (vec(ball(), 0..6), vec(triangle(), 0..6)).prop_map(move |(balls, triangles)| World {
+        spheres: balls.into_iter().map(|ball| (ball, paint)).collect(),
+        triangles: triangles.into_iter().map(|abc| (abc, paint)).collect(),
+        ..World::default()
+    })
+}
+
+/// Whether `ray` keeps at least 0.6° from the planes of all triangles: along a plane, rounding
+/// moves the hit by any distance.
+fn crosses_planes(world: &World, ray: &Ray) -> bool {
+    let d = ray.direction.normalize();
+    world.triangles.iter().all(|([a, b, c], _)| {
+        let normal = (b - a).cross(c - a).normalize();
+        normal.dot(d).abs() > 0.01
+    })
+}
+
+fn the_closest_hit_is_that_of_brute_force<S: Scenes>() {
+    hold::<S, _>((world(), ray()), |(world, ray)| {
+        prop_assume!(crosses_planes(&world, &ray));
+        let candidates = brute_force(&world, &ray);
+        let scene = S::scene(&world);
+        let found = S::closest(&scene, &ray, 0.0, f32::INFINITY);
+        let length = f64::from(ray.direction.length());
+        let found = found.map(|(hit, _)| f64::from(hit.t) * length);
+        let sure = candidates.iter().filter(|candidate| candidate.sure);
+        let nearest = sure.min_by(|a, b| a.distance.total_cmp(&b.distance));
+        if let Some(nearest) = nearest {
+            let latest = nearest.distance + nearest.tolerance;
+            prop_assert!(
+                found.is_some_and(|found| found <= latest),
+                "the closest hit is at {found:?}, and there is one at {nearest:?}"
+            );
+        }
+        if let Some(found) = found {
+            let matches =
+                |candidate: &Candidate| (found - candidate.distance).abs() <= candidate.tolerance;
+            prop_assert!(
+                candidates.iter().any(matches),
+                "there is no surface at {found}, where a hit is found: {candidates:?}"
+            );
+        }
+        Ok(())
+    });
+}
+
+fn channel() -> impl Strategy<Value = f32> {
+    0.0..1.0_f32
+}
+
+fn color() -> impl Strategy<Value = Color> {
+    [channel(), channel(), channel()].prop_map(Color::from)
+}
+
+fn paint() -> impl Strategy<Value = Paint> {
+    (color(), color(), channel(), 0.0..3.0_f32).prop_map(|(k_a, k_d, k_s, power)| Paint {
+        k_a,
+        k_d,
+        k_s,
+        exponent: 10.0_f32.powf(power),
+    })
+}
+
+fn light() -> impl Strategy<Value = Light> {
+    (point(10.0), 0.0..100.0_f32, any::<bool>())
+        .prop_map(|(position, intensity, attenuation)| Light { position, intensity, attenuation })
+}
+
+/// A world in which `ray` hits a sphere of `paint` first, if nothing else is in its way.
+fn shaded() -> impl Strategy<Value = (World, Ray)> {
+    let surroundings = (world(), vec(light(), 1..4), 0.0..2.0_f32, any::<bool>());
+    (surroundings, (ball(), paint()), ray(), point(0.7)).prop_map(
+        |((world, lights, ambient, phong), sphere, ray, near)| {
+            let ray = towards(&ray, sphere.0.center + sphere.0.radius * near);
+            let spheres = world.spheres.into_iter().chain([sphere]).collect();
+            (World { spheres, lights, ambient, phong, ..world }, ray)
+        },
+    )
+}
+
+/// `a` equals `b` but for `roundings` halves of the last bit of their largest channel.
+fn equal(a: Color, b: Color, roundings: f32, why: &str) -> TestCaseResult {
+    let tolerance = roundings * f32::EPSILON / 2.0 * a.max(b).max_element();
+    // Below the smallest normal number there are fewer bits.
+    let tolerance = tolerance.max(f32::MIN_POSITIVE);
+    let off = (a - b).abs().max_element();
+    prop_assert!(off <= tolerance, "{a} is not {b} within {tolerance:e}: {why}");
+    Ok(())
+}
+
+fn light_is_linear_in_i_and_k<S: Lights>() {
+    hold::<S, _>((shaded(), 0.1..10.0_f32), |((world, ray), factor)| {
+        let look = |world: &World| S::trace(&S::scene(world), &ray);
+        let color = look(&world);
+        let mut brighter = world.clone();
+        brighter.lights.iter_mut().for_each(|light| light.intensity *= factor);
+        brighter.ambient *= factor;
+        let mut lighter = world.clone();
+        let spheres = lighter.spheres.iter_mut().map(|(_, paint)| paint);
+        let triangles = lighter.triangles.iter_mut().map(|(_, paint)| paint);
+        for paint in spheres.chain(triangles) {
+            paint.k_a *= factor;
+            paint.k_d *= factor;
+            paint.k_s *= factor;
+        }
+        // Of at most three lights each has two products and two sums on its way, and the factor
+        // rounds twice more.
+        let roundings = 16.0;
+        equal(look(&brighter), color * factor, roundings, "light is linear in I and I_a")?;
+        equal(look(&lighter), color * factor, roundings, "light is linear in k_a, k_d and k_s")
+    });
+}
+
+fn light_is_the_sum_of_its_parts<S: Shadows>() {
+    hold::<S, _>(shaded(), |(world, ray)| {
+        let look = |world: &World| S::trace(&S::scene(world), &ray);
+        let mut sum = look(&World { lights: Vec::new(), ..world.clone() });
+        for light in &world.lights {
+            sum += look(&World { lights: vec![*light], ambient: 0.0, ..world.clone() });
+        }
+        // Three lights and the ambient one, added up one by one and in pairs.
+        equal(look(&world), sum, 8.0, "L = L_a + the sum of L_d + L_s")
+    });
+}
+
+/// Coordinates up to ±10⁶, down to 10⁻⁶ and zero, and often the same.
+fn extreme() -> impl Strategy<Value = f32> {
+    let power = (-6.0..6.0_f32, any::<bool>()).prop_map(|(power, negative)| {
+        let number = 10.0_f32.powf(power);
+        if negative { -number } else { number }
+    });
+    prop_oneof![
+        4 => power,
+        1 => prop::sample::select(&[-1e6, -1.0, -1e-6, -0.0, 0.0, 1e-6, 1e-3, 1.0, 1e6][..]),
+        4 => -2.0..2.0_f32,
+    ]
+}
+
+fn extreme_point() -> impl Strategy<Value = Vec3> {
+    let any = [extreme(), extreme(), extreme()].prop_map(Vec3::from);
+    // So that vertices, centres, lights and viewpoints fall into one, or onto a line or surface.
+    prop_oneof![2 => any, 1 => prop::sample::select(&[Vec3::ZERO, Vec3::ONE, Vec3::X, Vec3::NEG_Y][..])]
+}
+
+/// Worlds whose coordinates, radii and intensities are [`extreme`], k from 0 to 1 and p from 1 to
+/// 1000: spheres without a radius, triangles without area, lights on surfaces among them.
+fn extreme_world() -> impl Strategy<Value = World> {
+    let ball = (extreme_point(), extreme()).prop_map(|(center, radius)| Ball { center, radius });
+    let light = (extreme_point(), extreme(), any::<bool>()).prop_map(
+        |(position, intensity, attenuation)| {
+            let intensity = intensity.abs();
+            Light { position, intensity, attenuation }
+        },
+    );
+    let abc = [extreme_point(), extreme_point(), extreme_point()];
+    let surfaces = (vec((ball, paint()), 0..4), vec((abc, paint()), 0..4));
+    (surfaces, vec(light, 0..4), extreme(), extreme(), any::<[bool; 2]>()).prop_map(
+        |((spheres, triangles), lights, camera_light, ambient, [shadows, phong])| World {
+            spheres,
+            triangles,
+            background: Color::ZERO,
+            lights,
+            camera_light: camera_light.abs(),
+            ambient: ambient.abs(),
+            shadows,
+            phong,
+        },
+    )
+}
+
+fn no_finite_scene_has_a_colour_that_is_none<S: Lights>() {
+    let ray = (extreme_point(), extreme_point(), any::<bool>()).prop_map(|(p, other, aim)| {
+        let d = if aim { other - p } else { other };
+        Ray::new(p, if d == Vec3::ZERO { Vec3::X } else { d })
+    });
+    hold::<S, _>((extreme_world(), ray), |(world, ray)| {
+        let color = S::trace(&S::scene(&world), &ray);
+        prop_assert!(color.is_finite(), "the colour is {color}");
+        prop_assert!(color.cmpge(Color::ZERO).all(), "light is never negative: {color}");
+        Ok(())
+    });
+}
+
+fn visibility_is_mutual<S: Shadows>() {
+    hold::<S, _>((world(), point(10.0), point(10.0)), |(world, here, there)| {
+        let scene = S::scene(&world);
+        let forth = Ray::new(here, there - here);
+        prop_assume!(forth.direction.length() > 0.1 && crosses_planes(&world, &forth));
+        // Where a silhouette, an edge or an end of the way is closer than DOUBT, rounding decides.
+        let length = f64::from(forth.direction.length());
+        let candidates = brute_force(&world, &forth);
+        let doubtful = |candidate: &Candidate| {
+            let at_end = (candidate.distance - length).abs() < DOUBT;
+            candidate.distance < length + DOUBT && (at_end || !candidate.sure)
+        };
+        prop_assume!(!candidates.iter().any(doubtful));
+        let back = Ray::new(there, here - there);
+        let [forth, back] = [forth, back].map(|ray| S::is_blocked(&scene, &ray, 0.0, 1.0));
+        prop_assert_eq!(forth, back, "who sees is seen: {} from {}", here, there);
+        let expected = candidates.iter().any(|candidate| candidate.distance < length);
+        prop_assert_eq!(forth, expected, "the way from {} to {} in f64", here, there);
+        Ok(())
+    });
+}

@@ -3,6 +3,7 @@
 use common::Color;
 use common::Ray;
 use common::Vec3;
+use common::encode;
 use step07_specular::Lesson as Specular;
 use step07_specular::material::reflect;
 use tests::checks;
@@ -308,6 +309,29 @@ fn highlight(off: f32, exponent: f32, phong: bool) -> Color {
         ..World::default()
     };
     seen::<Specular>(&world, 3.0 * at(30.0 + off))
+}
+
+#[test]
+fn what_leaves_for_the_screen_is_srgb_encoded() {
+    // IEC 61966-2-1
+    let curve = |linear: f64| match linear {
+        x if x <= 0.003_130_8 => 12.92 * x,
+        x => 1.055 * x.powf(1.0 / 2.4) - 0.055,
+    };
+    for linear in (0..=10_000).map(|part| part as f32 / 10_000.0) {
+        let expected = 255.0 * curve(f64::from(linear));
+        let [code, ..] = encode(Color::splat(linear));
+        // Half a code, and what the standard's own two pieces leave open where they meet.
+        let off = (f64::from(code) - expected).abs();
+        assert!(
+            off <= 0.501,
+            "a linear {linear} becomes {code} and should be sRGB's {expected:.2}"
+        );
+    }
+    let [red, green, blue] = encode(Color::new(0.5, 0.2, 0.0));
+    assert!(red > green && green > blue, "the channels keep their order: {red} {green} {blue}");
+    let clamped = encode(Color::new(-1.0, 7.0, f32::NAN));
+    assert_eq!(clamped, [0, 255, 0], "clamped to [0, 1]; no number is black");
 }
 
 #[test]
