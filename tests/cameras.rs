@@ -2,12 +2,15 @@
 
 use common::Camera;
 use common::Color;
+use common::Frame;
 use common::Image;
 use common::OrthographicCamera;
 use common::PerspectiveCamera;
 use common::Ray;
+use common::Size;
 use common::Vec3;
 use common::View;
+use common::encode;
 use tests::checks;
 use tests::every_step::Near;
 use tests::every_step::Package;
@@ -17,6 +20,7 @@ checks!(packages {
     pixels_lie_at_their_centres,
     each_pixel_gets_the_colour_of_its_own_ray,
     bands_of_rows_make_the_whole_picture,
+    rays_of_a_pixel_are_averaged_before_encoding,
 });
 
 /// Width over height of pictures, most of them odd.
@@ -195,4 +199,32 @@ fn bands_of_rows_make_the_whole_picture<S: Package>() {
         S::render_loop(&Positions, &mut image, &|ray| ray.origin);
     }
     assert_eq!(bands, whole, "{}: the loop goes over image.rows(), not from 0 to height", S::NAME);
+}
+
+fn rays_of_a_pixel_are_averaged_before_encoding<S: Package>() {
+    let (step, width, height) = (S::default(), 24, 14);
+    let size = Size::new(width, height).expect("a size");
+    let camera = step.view().camera(size.aspect());
+    for samples in 1..=3 {
+        let (wide, high) = (samples * width, samples * height);
+        let mut colors = vec![Color::NAN; wide * high];
+        step.render(&*camera, &mut Image::new(wide, high, 0, &mut colors));
+        let picture = Frame { step: &step, camera: &*camera, size, samples }.render();
+        for (col, row, found) in picture.enumerate_pixels() {
+            let (left, top) = (samples * col as usize, samples * row as usize);
+            let rays =
+                (0..samples * samples).map(|ray| (left + ray % samples, top + ray / samples));
+            let sum: Color = rays.map(|(col, row)| colors[row * wide + col]).sum();
+            let expected = encode(sum / (samples * samples) as f32);
+            // The order of the sum may decide which of two codes is the nearest.
+            let off = found.0.iter().zip(expected).map(|(a, b)| a.abs_diff(b)).max();
+            assert!(
+                off <= Some(1),
+                "{}: pixel ({col}, {row}) is {:?} and should be {expected:?}: the mean of \
+                 {samples} × {samples} linear colours, and then its sRGB code",
+                S::NAME,
+                found.0
+            );
+        }
+    }
 }
