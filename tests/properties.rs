@@ -68,7 +68,7 @@ fn ray() -> impl Strategy<Value = Ray> {
         .prop_map(|(origin, d, power)| Ray::new(origin, d * 10.0_f32.powf(power)))
 }
 
-/// Rays towards a point near `target`, so that many of them hit.
+/// The ray from the same origin towards `target`, with |d| as it was.
 fn towards(ray: &Ray, target: Vec3) -> Ray {
     let d = target - ray.origin;
     let d = if d.length() > 0.01 { d.normalize() } else { Vec3::X };
@@ -99,6 +99,10 @@ fn triangle() -> impl Strategy<Value = [Vec3; 3]> {
 fn off_surface(lengths: f32) -> f32 {
     6.0 * f32::EPSILON * lengths
 }
+
+/// What a triangle's own rounding adds to the lengths: differences of its vertices, which lie
+/// within 20, and its plane tilted by that over the least height, a tenth of its length.
+const EDGES: f32 = 10.0 * 20.0;
 
 /// Outside and inside are looked at this far from the surface, along the normal.
 const BESIDE: f64 = 1e-3;
@@ -146,9 +150,7 @@ fn hits_lie_on_the_triangle<S: Triangles>() {
         let cosine = normal.dot(d.as_dvec3()).abs();
         // The smaller the angle to the plane, the further the ray goes while it is hardly above it.
         prop_assume!(cosine > 0.01);
-        // The vertices' differences, of at most 20, are themselves rounded; a tenth is the least
-        // height over length of the triangles tried, so that the plane is tilted by ten times that.
-        let lengths = ray.origin.length() + (hit.t * ray.direction).length() + 10.0 * 20.0;
+        let lengths = ray.origin.length() + (hit.t * ray.direction).length() + EDGES;
         let tolerance = off_surface(lengths);
         let height =
             |beside: f64| (hit.point.as_dvec3() + beside * hit.normal.as_dvec3() - a).dot(normal);
@@ -178,7 +180,7 @@ struct Candidate {
     distance: f64,
     /// How far rounding may move it.
     tolerance: f64,
-    /// Whether rounding cannot decide whether it is one.
+    /// Whether it is one however numbers are rounded.
     sure: bool,
 }
 
@@ -195,17 +197,21 @@ fn brute_force(world: &World, ray: &Ray) -> Vec<Candidate> {
         let (b, c) = (d.dot(o), o.dot(o) - radius * radius);
         let beside = (o - b * d).length();
         // Just beside the sphere f32 may still find a point that touches it.
-        let half_chord = (b * b - c).max(0.0).sqrt();
         if beside > radius + DOUBT {
             continue;
         }
+        let half_chord = (b * b - c).max(0.0).sqrt();
+        let sure = beside < radius - DOUBT;
         let lengths = (p.length() + center.length() + o.length() + radius) as f32;
-        // Along the chord the surface is off by as much more as it is steep to it.
-        let steep = 1.0 + radius / half_chord.max(DOUBT);
-        let tolerance = f64::from(off_surface(lengths)) * steep
-            + if beside > radius - DOUBT { (2.0 * radius * DOUBT).sqrt() } else { 0.0 };
+        let off = f64::from(off_surface(lengths));
+        // Along a chord a hit is off by as much more as the chord is long for its height, and
+        // where the ray grazes, by half the chord at the depth of DOUBT.
+        let tolerance = if sure {
+            off * (1.0 + radius / half_chord)
+        } else {
+            off + 2.0 * (radius * DOUBT).sqrt()
+        };
         for distance in [-b - half_chord, -b + half_chord] {
-            let sure = beside < radius - DOUBT;
             candidates.push(Candidate { distance, tolerance, sure });
         }
     }
@@ -223,7 +229,7 @@ fn brute_force(world: &World, ray: &Ray) -> Vec<Candidate> {
         if inside < -DOUBT {
             continue;
         }
-        let lengths = (p.length() + distance.abs()) as f32 + 10.0 * 20.0;
+        let lengths = (p.length() + distance.abs()) as f32 + EDGES;
         let tolerance = f64::from(off_surface(lengths)) / cosine.abs();
         candidates.push(Candidate { distance, tolerance, sure: inside > DOUBT });
     }
