@@ -249,7 +249,8 @@ macro_rules! triangles {
             }
 
             fn solve(abc: [Vec3; 3], ray: &Ray) -> Option<(f32, Vec3)> {
-                $step::triangle::Triangle::new(abc).solve(ray, 0.0, f32::INFINITY)
+                let solved = $step::triangle::Triangle::new(abc).solve(ray, 0.0, f32::INFINITY);
+                solved.map(|(t, weights)| (t, Vec3::from(weights)))
             }
         }
     )* };
