@@ -42,7 +42,7 @@ fn ray_at(camera: &dyn Camera, (x, y): (f32, f32)) -> Ray {
 fn near<T: Near>(what: &str, found: T, expected: T, why: &str) {
     assert!(
         found.difference(expected) <= TOLERANCE,
-        "{what} is {found:?} and should be {expected:?}, within {TOLERANCE:e}: {why}"
+        "{what} is {found} and should be {expected}, within {TOLERANCE:.1e}: {why}"
     );
 }
 

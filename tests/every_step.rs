@@ -1,7 +1,7 @@
 //! The steps as the checks see them: what several of them have, under one name and in one set of
 //! types, so that one check runs against all. What later steps add to a thing stays neutral.
 
-use std::fmt::Debug;
+use std::fmt::Display;
 
 use common::Camera;
 use common::Color;
@@ -430,7 +430,7 @@ macro_rules! checks {
 }
 
 /// What can be nearly equal.
-pub trait Near: Copy + Debug {
+pub trait Near: Copy + Display {
     /// The largest difference in any part; not a number if any is none.
     fn difference(self, other: Self) -> f32;
 }
@@ -460,7 +460,7 @@ pub fn within<S: Package, T: Near>(what: &str, found: T, expected: T, tolerance:
     let step = S::NAME;
     assert!(
         found.difference(expected) <= tolerance,
-        "{step}: {what} is {found:?} and should be {expected:?}, within {tolerance:e}: {why}"
+        "{step}: {what} is {found} and should be {expected}, within {tolerance:.1e}: {why}"
     );
 }
 

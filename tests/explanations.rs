@@ -1,6 +1,7 @@
 //! What is said of a pixel is what the picture shows there.
 
 use common::Color;
+use common::Control;
 use common::Entry;
 use common::Explanation;
 use common::Image;
@@ -10,6 +11,7 @@ use common::Value;
 use common::Vec3;
 use common::View;
 use common::encode;
+use step04_scene::scene::Scene;
 use step04_scene::scene::lecture_scene;
 use tests::checks;
 use tests::every_step::Package;
@@ -32,31 +34,26 @@ fn explanations(step: &dyn Step, view: &View, width: usize, height: usize) -> Ve
     (0..width * height).map(|index| step.explain(&*camera, pixel(index))).collect()
 }
 
+/// Moves `control` and says how it was set.
+fn moved(control: &mut Control<'_>, fraction: f32) -> String {
+    control.set_fraction(fraction);
+    format!("{}={}", control.name, control.text())
+}
+
 /// Calls `look` with the step as it starts, with each of its controls at both ends and in the
 /// middle, and likewise with the camera's.
 fn states<S: Package>(mut look: impl FnMut(&S, &View, &str)) {
-    let start = S::default();
-    let view = start.view();
-    look(&start, &view, "as it starts");
-    for index in 0..start.clone().controls().len() {
-        for fraction in [0.0, 0.5, 1.0] {
+    let (start, start_view) = (S::default(), S::default().view());
+    look(&start, &start_view, "nothing set");
+    for fraction in [0.0, 0.5, 1.0] {
+        for index in 0..start.clone().controls().len() {
             let mut step = start.clone();
-            let setting = {
-                let control = &mut step.controls()[index];
-                control.set_fraction(fraction);
-                format!("{}={}", control.name, control.text())
-            };
-            look(&step, &view, &setting);
+            let setting = moved(&mut step.controls()[index], fraction);
+            look(&step, &start_view, &setting);
         }
-    }
-    for index in 0..view.clone().controls().len() {
-        for fraction in [0.0, 0.5, 1.0] {
-            let mut view = view.clone();
-            let setting = {
-                let control = &mut view.controls()[index];
-                control.set_fraction(fraction);
-                format!("{}={}", control.name, control.text())
-            };
+        for index in 0..start_view.clone().controls().len() {
+            let mut view = start_view.clone();
+            let setting = moved(&mut view.controls()[index], fraction);
             look(&start, &view, &setting);
         }
     }
@@ -89,9 +86,8 @@ fn vector(explanation: &Explanation, symbol: &str) -> Option<Vec3> {
     }
 }
 
-/// The colour that the entries lead to, each in the way its step does; `None` if they do not say.
-fn follows(step: &str, explanation: &Explanation) -> Option<Color> {
-    let flat = lecture_scene();
+/// The colour that the entries of `step`'s explanation lead to; `None` if they do not say.
+fn follows(step: &str, explanation: &Explanation, setting: &str, flat: &Scene) -> Option<Color> {
     let seen = |name: &str| explanation.entries().contains(&Entry::Heading(name.to_owned()));
     if seen("background") {
         return Some(flat.background);
@@ -108,46 +104,42 @@ fn follows(step: &str, explanation: &Explanation) -> Option<Color> {
             spheres.chain(triangles).find(|(name, _)| seen(name)).map(|(_, color)| color)
         }
         "step05_diffuse" => vector(explanation, "L_d"),
-        _ => sum(explanation),
+        _ => Some(sum(explanation, setting)),
     }
 }
 
-/// L_a and, of every light that nothing blocks, L_d and L_s.
-fn sum(explanation: &Explanation) -> Option<Color> {
-    let mut sum = vector(explanation, "L_a")?;
+/// L_a and, of every light that nothing blocks, L_d and L_s, less the term that is switched off.
+fn sum(explanation: &Explanation, setting: &str) -> Color {
+    let mut sum = Color::ZERO;
     let mut blocked = false;
     for entry in explanation.entries() {
         let Entry::Equation(equation, value) = entry else { continue };
-        match (equation.split(" = ").next(), value) {
-            (Some("blocked by"), Value::Word(blocker)) => blocked = blocker != "nothing",
-            (Some("L_d"), Value::Vector(diffuse)) if !blocked => sum += *diffuse,
-            (Some("L_s"), Value::Number(specular)) if !blocked => sum += *specular,
+        let symbol = equation.split(" = ").next().unwrap_or_default();
+        let counts = !blocked && setting != format!("{symbol}=off");
+        match (symbol, value) {
+            ("blocked by", Value::Word(blocker)) => blocked = blocker != "nothing",
+            ("L_a" | "L_d", Value::Vector(color)) if counts => sum += *color,
+            ("L_s", Value::Number(highlight)) if counts => sum += *highlight,
             _ => {}
         }
     }
-    Some(sum)
+    sum
 }
 
 fn what_is_said_of_the_colour_leads_to_it<S: Package>() {
-    states::<S>(|step, view, setting| {
-        // These decide which of the numbers are shown, not what they are.
-        if ["shown=", "L_a=off", "L_d=off", "L_s=off"].iter().any(|name| setting.starts_with(name))
-        {
+    let (step, flat) = (S::NAME, lecture_scene());
+    states::<S>(|lesson, view, setting| {
+        // What steps 01 and 03 show of a number is not another number.
+        if setting.starts_with("shown=") {
             return;
         }
-        for explanation in explanations(step, view, WIDTH, HEIGHT) {
+        for explanation in explanations(lesson, view, WIDTH, HEIGHT) {
             let Pixel { col, row, .. } = explanation.pixel;
-            let found = follows(S::NAME, &explanation);
-            let found = found.unwrap_or_else(|| panic!("{}: no colour in\n{explanation}", S::NAME));
-            // L_d and L_s are added one by one here and as a pair there: each of at most six
-            // additions rounds by half the last bit of the sum.
-            let tolerance = 3.0 * f32::EPSILON * found.abs().max_element();
-            assert!(
-                (found - explanation.color).abs().max_element() <= tolerance,
-                "{} with {setting}: pixel ({col}, {row}) has the colour {}, but L_a and L_d + L_s \
-                 of every light that is not blocked sum up to {found} in\n{explanation}",
-                S::NAME,
-                explanation.color
+            assert_eq!(
+                follows(step, &explanation, setting, &flat),
+                Some(explanation.color),
+                "{step} with {setting}: pixel ({col}, {row}) has another colour than what is said \
+                 of it leads to, L_a and L_d + L_s of every light that nothing blocks:\n{explanation}"
             );
         }
     });

@@ -156,7 +156,7 @@ fn same_rays_and_hits<A: Package, B: Package>(later: &A, earlier: &B, view: &Vie
         assert_eq!(
             shared,
             b.entries(),
-            "pixel ({}, {}): {later} casts the rays of {earlier} and finds its hits",
+            "pixel ({}, {}): {later} should cast the rays of {earlier} and find its hits",
             a.pixel.col,
             a.pixel.row
         );

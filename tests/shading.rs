@@ -269,7 +269,8 @@ fn lights_add_up<S: Shadows>() {
     };
     let ambient = seen::<S>(&world(0.5, &[]), EYE);
     let [one, two, three] = [ABOVE, fill, third].map(|light| seen::<S>(&world(0.0, &[light]), EYE));
-    assert!(one.min(two).min(three).cmpgt(Color::ZERO).all(), "each light must add something");
+    let dark = one.min(two).min(three).cmple(Color::ZERO).any();
+    assert!(!dark, "{}: each of three lights alone should add something", S::NAME);
     let why = "L = L_a + the sum of L_d + L_s over all lights";
     for (lights, sum) in [
         (vec![ABOVE, fill], one + two),
@@ -410,8 +411,9 @@ fn the_highlight_and_the_diffuse_light_add_up() {
         seen::<Specular>(&World { triangles, ..lit(0.0, &[ABOVE]) }, EYE)
     };
     let (diffuse, specular) = (look(PAINT.k_d, 0.0), look(Color::ZERO, 0.5));
-    assert!(specular.x > 0.0, "there is a highlight to add");
-    assert_eq!(specular, Color::splat(specular.x), "k_s is the same in every channel");
+    assert!(specular.x > 0.0, "step07_specular: L_s = {specular} alone should be seen");
+    let grey = Color::splat(specular.x);
+    assert_eq!(specular, grey, "step07_specular: k_s is the same in every channel");
     near::<Specular, _>("L", look(PAINT.k_d, 0.5), diffuse + specular, "L = L_a + L_d + L_s");
 }
 
