@@ -3,9 +3,6 @@ use std::fmt;
 use image::Rgb;
 use image::RgbImage;
 
-use crate::Color;
-use crate::encode;
-
 /// How far one picture is from another, and where.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Comparison {
@@ -108,7 +105,12 @@ fn near(a: [u8; 3], b: [u8; 3]) -> bool {
 /// Whether `encoded` is the sRGB code of (`pixel` / 255)^`exponent`. Either was rounded, so each
 /// may be one off.
 fn encode_to(pixel: [u8; 3], encoded: [u8; 3], exponent: f32) -> bool {
-    let srgb = |code: u8| encode(Color::splat((f32::from(code) / 255.0).powf(exponent)))[0];
+    // By the formula, since it may be `encode` that is broken.
+    let srgb = |code: u8| {
+        let linear = (f32::from(code) / 255.0).powf(exponent);
+        let bright = 1.055 * linear.powf(1.0 / 2.4) - 0.055;
+        (255.0 * if linear <= 0.0031308 { 12.92 * linear } else { bright }).round() as u8
+    };
     pixel.iter().zip(encoded).all(|(code, encoded)| {
         let low = srgb(code.saturating_sub(1)).saturating_sub(TOLERANCE);
         let high = srgb(code.saturating_add(1)).saturating_add(TOLERANCE);
