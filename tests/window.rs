@@ -256,7 +256,9 @@ impl<'a> Running<'a> {
     /// Waits until the window shows the picture, and nothing over it.
     fn shows_picture(&self) {
         let picture = self.picture();
-        until("the picture alone", || (self.screen() == picture).then_some(()));
+        until("the picture alone", || {
+            Comparison::new(&picture, &self.screen(), &[]).is_equal().then_some(())
+        });
     }
 
     /// Waits until the overlay says `text`, and says where.
