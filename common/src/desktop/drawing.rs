@@ -11,13 +11,13 @@ use crate::Frame;
 use crate::Size;
 use crate::Step;
 
-/// How long a pass runs before the window is looked after again: a draft, which is only shown
-/// when it is complete, and one that refines.
-const DRAFT_SLICE: Duration = Duration::from_millis(50);
+/// How long the picture is worked on before the window is looked after again.
 const SLICE: Duration = Duration::from_millis(12);
 
-/// How long the rows take that are rendered between two looks at the clock.
+/// How long the rows take that are rendered between two looks at the clock: for a draft, all of
+/// them, unless they take much longer than was expected.
 const BATCH: Duration = Duration::from_millis(4);
+const DRAFT_BATCH: Duration = Duration::from_millis(50);
 
 /// The coarsest grid has one ray for a square with sides of so many pixels.
 const COARSEST: usize = 32;
@@ -109,11 +109,8 @@ impl Drawing {
 
     /// Starts again, as something was changed; the first pass shall take no longer than `draft`.
     pub(crate) fn restart(&mut self, size: Size, camera: Box<dyn Camera>, draft: Duration) {
-        if let Some(pass) = &self.pass {
-            let rays = pass.row * pass.rays_per_row(self.size);
-            if rays > 0 {
-                self.cost = self.cost.max(pass.time.as_secs_f64() / rays as f64);
-            }
+        if let Some(pass) = self.pass {
+            self.learn(&pass);
         }
         if self.size != size {
             self.size = size;
@@ -139,7 +136,7 @@ impl Drawing {
                 return true;
             }
             self.pass = Some(pass);
-            if start.elapsed() > if pass.draft { DRAFT_SLICE } else { SLICE } {
+            if start.elapsed() > SLICE {
                 break;
             }
         }
@@ -150,7 +147,8 @@ impl Drawing {
         let start = Instant::now();
         let size = pass.size(self.size);
         let row_cost = self.cost * pass.rays_per_row(self.size) as f64;
-        let rows = (BATCH.as_secs_f64() / row_cost) as usize;
+        let batch = if pass.draft { DRAFT_BATCH } else { BATCH };
+        let rows = (batch.as_secs_f64() / row_cost) as usize;
         let rows = rows.max(rayon::current_num_threads()).min(size.height() - pass.row);
         let frame = Frame { step, camera: &*self.camera, size, samples: pass.samples };
         let mut rgb = vec![0; 3 * size.width() * rows];
@@ -177,8 +175,7 @@ impl Drawing {
 
     fn finish(&mut self, pass: Pass) {
         let Pass { grid, samples, time, .. } = pass;
-        let rays = pass.size(self.size).height() * pass.rays_per_row(self.size);
-        self.cost = time.as_secs_f64() / rays as f64;
+        self.learn(&pass);
         self.finished = Finished { grid, samples, time };
         self.pass = if grid > 1 {
             Some(Pass::new(1, 1, false))
@@ -187,6 +184,16 @@ impl Drawing {
         } else {
             None
         };
+    }
+
+    /// Learns from a pass how long a ray takes: at once if it was faster than expected, and
+    /// little by little if it was slower, which may have been for another program's sake.
+    fn learn(&mut self, pass: &Pass) {
+        let rays = pass.row * pass.rays_per_row(self.size);
+        if rays > 0 {
+            let cost = pass.time.as_secs_f64() / rays as f64;
+            self.cost = cost.min(self.cost + (cost - self.cost) / 4.0);
+        }
     }
 
     /// The pixels as a picture that can be saved.
