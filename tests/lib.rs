@@ -7,12 +7,14 @@
 pub mod every_step;
 pub mod povray;
 
+use std::ffi::OsString;
 use std::fs;
 use std::io;
 use std::io::Write;
 use std::path::Path;
 use std::path::PathBuf;
 use std::process::Command;
+use std::process::Output;
 use std::sync::LazyLock;
 
 use common::Comparison;
@@ -164,4 +166,38 @@ static PROGRAMS: LazyLock<PathBuf> = LazyLock::new(|| {
 /// The built program of a step, or one of its examples as `examples/NAME`.
 pub fn program(name: &str) -> PathBuf {
     PROGRAMS.join(name).with_extension(std::env::consts::EXE_EXTENSION)
+}
+
+/// A step's program, to be run in `folder` with no display; it is home and holds what is temporary
+/// too, so that whatever the program writes unasked is found there.
+pub fn command(name: &str, folder: &Path) -> Command {
+    let mut command = Command::new(program(name));
+    command.current_dir(folder).env("HOME", folder).env("TMPDIR", folder);
+    command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY");
+    command
+}
+
+/// The names of the files in `folder`, hidden ones too, in order.
+///
+/// # Panics
+///
+/// When it cannot be read.
+pub fn files(folder: &Path) -> Vec<OsString> {
+    let entries = fs::read_dir(folder).expect("a folder");
+    let mut names: Vec<OsString> =
+        entries.map(|entry| entry.expect("an entry").file_name()).collect();
+    names.sort();
+    names
+}
+
+/// The single line that `output` has on standard error.
+///
+/// # Panics
+///
+/// When there is none or there are more, or it is not text.
+pub fn only_line(output: &Output) -> &str {
+    let text = str::from_utf8(&output.stderr).expect("text on standard error");
+    let line = text.strip_suffix('\n').expect("a whole line on standard error");
+    assert!(!line.contains('\n'), "more than one line on standard error:\n{text}");
+    line
 }

@@ -9,8 +9,8 @@ use crate::Image;
 use crate::Step;
 use crate::encode;
 
-/// Width and height of a picture, in pixels: each at least 1, together at most
-/// [`MAX_PIXELS`](Self::MAX_PIXELS) pixels.
+/// Width and height of a picture, in pixels: each from 1 to [`MAX_SIDE`](Self::MAX_SIDE),
+/// together at most [`MAX_PIXELS`](Self::MAX_PIXELS) pixels.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub struct Size {
     width: usize,
@@ -24,7 +24,7 @@ pub enum SizeError {
     Syntax,
     /// No pixel at all.
     Empty,
-    /// More than [`Size::MAX_PIXELS`].
+    /// More than [`Size::MAX_SIDE`] or [`Size::MAX_PIXELS`].
     TooLarge,
 }
 
@@ -33,9 +33,12 @@ impl fmt::Display for SizeError {
         match self {
             Self::Syntax => write!(f, "a size is WIDTHxHEIGHT in pixels, such as 960x540"),
             Self::Empty => write!(f, "width and height are at least 1"),
-            Self::TooLarge => {
-                write!(f, "the limit is {} million pixels in all", Size::MAX_PIXELS / 1_000_000)
-            }
+            Self::TooLarge => write!(
+                f,
+                "the limit is {} pixels a side and {} million in all",
+                Size::MAX_SIDE,
+                Size::MAX_PIXELS / 1_000_000
+            ),
         }
     }
 }
@@ -45,6 +48,10 @@ impl std::error::Error for SizeError {}
 impl Size {
     /// The size of the lecture's pictures.
     pub const DEFAULT: Self = Self { width: 960, height: 540 };
+
+    /// The most pixels a row or a column may have: some rows of them fit into memory, and an `f32`
+    /// tells the centres of neighbours apart.
+    pub const MAX_SIDE: usize = 100_000;
 
     /// The most pixels a picture may have.
     pub const MAX_PIXELS: usize = 100_000_000;
@@ -57,7 +64,9 @@ impl Size {
     pub fn new(width: usize, height: usize) -> Result<Self, SizeError> {
         match width.checked_mul(height) {
             Some(0) => Err(SizeError::Empty),
-            Some(pixels) if pixels <= Self::MAX_PIXELS => Ok(Self { width, height }),
+            Some(pixels) if pixels <= Self::MAX_PIXELS && width.max(height) <= Self::MAX_SIDE => {
+                Ok(Self { width, height })
+            }
             _ => Err(SizeError::TooLarge),
         }
     }

@@ -7,13 +7,14 @@ use std::process::ExitCode;
 
 use anyhow::Context;
 use anyhow::Result;
-use anyhow::anyhow;
 use clap::Arg;
 use clap::ArgAction;
 use clap::ArgMatches;
 use clap::Command;
 use clap::builder::PathBufValueParser;
+use clap::builder::TypedValueParser;
 use clap::error::ErrorKind;
+use image::ImageFormat;
 use image::RgbImage;
 use strsim::damerau_levenshtein;
 
@@ -83,6 +84,9 @@ pub(crate) fn run(program: &Program) -> ExitCode {
     }
     let output = matches.get_one::<PathBuf>("output");
     if let Some(expected) = matches.get_one::<PathBuf>("compare") {
+        if output.is_some_and(|output| file::is_same(output, expected)) {
+            return usage("--output names the file to compare, which would be overwritten");
+        }
         return status(compare(program, &*step, &view, size, samples, expected, output));
     }
     let written = match output {
@@ -112,17 +116,25 @@ fn command(program: &Program) -> Command {
             _ => Err("a pixel is X,Y with whole numbers from 0, such as 480,270"),
         }
     };
-    let path = PathBufValueParser::new;
-    let option = |name| Arg::new(name).long(name);
+    let png = PathBufValueParser::new().try_map(|path| match ImageFormat::from_path(&path) {
+        Ok(format) if format != ImageFormat::Png => {
+            let path = path.with_extension("png");
+            Err(format!("the picture is a PNG, so name it {}", path.display()))
+        }
+        _ => Ok(path),
+    });
+    let file = |name| Arg::new(name).long(name).value_name("FILE");
+    // What begins with a hyphen is a value too: -5x3 is a size, if a wrong one.
+    let option =
+        |name, value| Arg::new(name).long(name).value_name(value).allow_hyphen_values(true);
     Command::new(program.name)
-        .args_override_self(false)
-        .arg(option("output").short('o').value_parser(path()))
-        .arg(option("size").short('s').value_parser(size))
-        .arg(option("camera").value_parser(View::PROJECTIONS))
-        .arg(option("set").action(ArgAction::Append))
-        .arg(option("samples").value_parser(samples))
-        .arg(option("pixel").value_parser(pixel).conflicts_with_all(["output", "samples"]))
-        .arg(option("compare").value_parser(path()).conflicts_with("pixel"))
+        .arg(file("output").short('o').value_parser(png))
+        .arg(option("size", "WxH").short('s').value_parser(size))
+        .arg(option("camera", "KIND").value_parser(View::PROJECTIONS))
+        .arg(option("set", "NAME=VALUE").action(ArgAction::Append))
+        .arg(option("samples", "N").value_parser(samples))
+        .arg(option("pixel", "X,Y").value_parser(pixel).conflicts_with_all(["output", "samples"]))
+        .arg(file("compare").value_parser(PathBufValueParser::new()).conflicts_with("pixel"))
 }
 
 /// What clap has to say, in one line.
@@ -157,9 +169,12 @@ fn set(matches: &ArgMatches, step: &mut dyn Step, view: &mut View) -> Result<(),
 
 fn unknown(name: &str, controls: &[Control<'_>]) -> String {
     let names: Vec<&str> = controls.iter().map(|control| control.name.as_str()).collect();
-    let nearest = names.iter().map(|known| (damerau_levenshtein(name, known), known)).min();
-    let nearest = match nearest {
-        Some((distance, known)) if distance <= 2 => format!(" (did you mean '{known}'?)"),
+    let typed = name.trim().to_lowercase();
+    let distance = |known: &str| damerau_levenshtein(&typed, &known.to_lowercase());
+    let nearest = match names.iter().map(|known| (distance(known), known)).min() {
+        Some((distance, known)) if distance < typed.chars().count().min(3) => {
+            format!(" (did you mean '{known}'?)")
+        }
         _ => String::new(),
     };
     format!("there is no control '{name}'{nearest}; there are {}", names.join(", "))
@@ -175,10 +190,10 @@ Usage: {name} [OPTIONS]
 Without options it opens a window; with no display it writes {name}.png.
 
 Options:
-  -o, --output FILE       write a PNG, open no window
+  -o, --output FILE       write a PNG, open no window; a name such as a.jpg is refused
   -s, --size WxH          pixels ({})
       --camera KIND       {}
-      --set NAME=VALUE    set a control, as its slider would; repeatable, in order
+      --set NAME=VALUE    set a control, as its slider would; repeatable, applied in order
       --samples N         N×N rays a pixel (1; at most {MAX_SAMPLES})
       --pixel X,Y         print that pixel's equations with their numbers; no picture
       --compare FILE      render, say how far FILE is from it and where; exit 1 if they differ;
@@ -211,6 +226,7 @@ fn write(
     path: &Path,
 ) -> Result<()> {
     file::remove_unfinished_on_signal()?;
+    file::check_destination(path)?;
     let (picture, time) = render(step, view, size, samples);
     file::save_png(&picture, path)?;
     report(program, &format!("{size} rendered in {time} ms, written to {}", path.display()));
@@ -228,6 +244,14 @@ fn compare(
 ) -> Result<bool> {
     file::remove_unfinished_on_signal()?;
     let found = file::read_png(file)?;
+    if let Some(path) = output {
+        file::check_destination(path)?;
+        let width = 3 * size.width().max(found.width() as usize);
+        let height = size.height().max(found.height() as usize);
+        Size::new(width, height).with_context(|| {
+            format!("side by side they take {width}x{height} pixels, so leave --output away")
+        })?;
+    }
     let (expected, time) = render(step, view, size, samples);
     let comparison = Comparison::new(&expected, &found, &[]);
     print(&format!("{}: {comparison}\n", file.display()))?;
@@ -261,13 +285,25 @@ pub(crate) fn print(text: &str) -> Result<()> {
 
 /// Says on standard error what was done.
 pub(crate) fn report(program: &Program, text: &str) {
-    // Without standard error there is nobody to tell.
-    let _ = writeln!(io::stderr(), "{}: {text}", program.name);
+    tell(&format!("{}: {text}", program.name));
 }
 
 fn usage(message: &str) -> ExitCode {
-    let _ = writeln!(io::stderr(), "error: {message} (--help lists what is possible)");
+    tell(&format!("error: {message} (--help lists what is possible)"));
     ExitCode::from(2)
+}
+
+/// One line on standard error, whatever control characters the names and values in it have.
+fn tell(text: &str) {
+    let mut line = String::new();
+    for character in text.chars() {
+        match character.is_control() {
+            true => line.extend(character.escape_default()),
+            false => line.push(character),
+        }
+    }
+    // Without standard error there is nobody to tell.
+    let _ = writeln!(io::stderr(), "{line}");
 }
 
 fn status(done: Result<bool>) -> ExitCode {
@@ -275,7 +311,7 @@ fn status(done: Result<bool>) -> ExitCode {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
         Err(error) => {
-            let _ = writeln!(io::stderr(), "error: {:#}", anyhow!(error));
+            tell(&format!("error: {error:#}"));
             ExitCode::FAILURE
         }
     }

@@ -1,4 +1,3 @@
-use std::ffi::OsString;
 use std::fs;
 use std::fs::File;
 use std::io;
@@ -12,15 +11,21 @@ use std::sync::PoisonError;
 
 use anyhow::Context;
 use anyhow::Result;
+use anyhow::anyhow;
 use anyhow::bail;
+use image::DynamicImage;
 use image::ExtendedColorType;
+use image::ImageDecoder;
 use image::ImageEncoder;
+use image::ImageError;
 use image::ImageFormat;
 use image::ImageReader;
+use image::Limits;
 use image::RgbImage;
 use image::codecs::png::PngEncoder;
 
 use crate::Size;
+use crate::SizeError;
 
 /// The file that is being written, to be removed should the program be told to end.
 static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
@@ -42,19 +47,48 @@ pub(crate) fn remove_unfinished_on_signal() -> Result<()> {
     ctrlc::set_handler(end).context("cannot listen for Ctrl-C")
 }
 
-/// Writes `picture` as a PNG under the name `path`, in one stroke: until all of it is on the disk
-/// the file that had the name keeps it, and on an error nothing is left behind.
+/// Whether two names are of the same file.
+pub(crate) fn is_same(a: &Path, b: &Path) -> bool {
+    fs::canonicalize(a).is_ok_and(|a| fs::canonicalize(b).is_ok_and(|b| a == b))
+}
+
+/// What can be known before a long render about whether its picture can be written to `path`.
 ///
 /// # Errors
 ///
-/// When `path` is a folder, or its folder is missing or read-only, or the disk is full.
-pub(crate) fn save_png(picture: &RgbImage, path: &Path) -> Result<()> {
-    let written = match fs::metadata(path) {
+/// When `path` is a folder or a read-only file, or its folder is missing.
+pub(crate) fn check_destination(path: &Path) -> Result<()> {
+    let folder = match path.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    };
+    match fs::metadata(path) {
         Ok(metadata) if metadata.is_dir() => bail!(
             "{} is a folder: name a file in it, such as {}",
             path.display(),
             path.join("picture.png").display()
         ),
+        Ok(metadata) if metadata.permissions().readonly() => {
+            bail!("{} is read-only: choose another name", path.display())
+        }
+        Err(_) if !folder.is_dir() => bail!(
+            "cannot write {}: there is no folder {}; create it or choose another",
+            path.display(),
+            folder.display()
+        ),
+        _ => Ok(()),
+    }
+}
+
+/// Writes `picture` as a PNG under the name `path`, in one stroke: until all of it is written the
+/// file that had the name keeps it, and on an error nothing is left behind.
+///
+/// # Errors
+///
+/// When `path` fails [`check_destination`], or its folder is read-only, or the disk is full.
+pub(crate) fn save_png(picture: &RgbImage, path: &Path) -> Result<()> {
+    check_destination(path)?;
+    let written = match fs::metadata(path) {
         // A device or a pipe cannot be replaced, and has no content to lose.
         Ok(metadata) if !metadata.is_file() => {
             File::options().write(true).open(path).and_then(|file| write_png(picture, file))
@@ -63,7 +97,11 @@ pub(crate) fn save_png(picture: &RgbImage, path: &Path) -> Result<()> {
         Ok(_) => fs::canonicalize(path).and_then(|path| replace(picture, &path)),
         Err(_) => replace(picture, path),
     };
-    written.with_context(|| format!("cannot write {}", path.display()))
+    written.map_err(|error| unwritable(path, &error))
+}
+
+fn unwritable(path: &Path, error: &io::Error) -> anyhow::Error {
+    anyhow!("cannot write {}: {error}; choose another file or folder", path.display())
 }
 
 /// Writes `picture` as `stem-1.png`, or with the next number under which there is no file yet.
@@ -77,10 +115,8 @@ pub(crate) fn save_new_png(picture: &RgbImage, stem: &str) -> Result<PathBuf> {
         let path = PathBuf::from(format!("{stem}-{number}.png"));
         match put(picture, &path, name_new) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => number += 1,
-            written => {
-                written.with_context(|| format!("cannot write {}", path.display()))?;
-                return Ok(path);
-            }
+            Err(error) => return Err(unwritable(&path, &error)),
+            Ok(()) => return Ok(path),
         }
     }
 }
@@ -107,16 +143,21 @@ fn put(
     path: &Path,
     name: impl FnOnce(&Path, &Path) -> io::Result<()>,
 ) -> io::Result<()> {
-    let mut hidden = OsString::from(".");
-    hidden.push(path.file_name().ok_or(io::ErrorKind::InvalidInput)?);
-    hidden.push(format!(".{}.part", std::process::id()));
-    let part = path.with_file_name(hidden);
-
-    let file = {
+    let part = |attempt: usize| {
+        path.with_file_name(format!(".picture-{}-{attempt}.part", std::process::id()))
+    };
+    let (part, file) = {
         let mut unfinished = unfinished();
-        let file = File::options().write(true).create_new(true).open(&part)?;
-        *unfinished = Some(part.clone());
-        file
+        let mut attempt = 0;
+        // One that was killed may have left a file, and had the same process id.
+        let file = loop {
+            match File::options().write(true).create_new(true).open(part(attempt)) {
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => attempt += 1,
+                file => break file?,
+            }
+        };
+        *unfinished = Some(part(attempt));
+        (part(attempt), file)
     };
     let written = write_png(picture, file);
     let mut unfinished = unfinished();
@@ -134,7 +175,7 @@ fn write_png(picture: &RgbImage, file: File) -> io::Result<()> {
     PngEncoder::new(&mut writer)
         .write_image(picture, width, height, ExtendedColorType::Rgb8)
         .map_err(|error| match error {
-            image::ImageError::IoError(error) => error,
+            ImageError::IoError(error) => error,
             error => io::Error::other(error),
         })?;
     writer.flush()
@@ -144,19 +185,27 @@ fn write_png(picture: &RgbImage, file: File) -> io::Result<()> {
 ///
 /// # Errors
 ///
-/// When `path` is no readable PNG, or one of more than [`Size::MAX_PIXELS`] pixels.
+/// When `path` is no readable PNG, or its size is no [`Size`].
 pub(crate) fn read_png(path: &Path) -> Result<RgbImage> {
     let read = || -> Result<RgbImage> {
-        let open = || {
-            ImageReader::open(path).map(|mut reader| {
-                reader.set_format(ImageFormat::Png);
-                reader.no_limits();
-                reader
-            })
+        let mut reader = ImageReader::open(path)?;
+        reader.set_format(ImageFormat::Png);
+        // Four channels of 16 bits.
+        let mut limits = Limits::no_limits();
+        limits.max_alloc = Some(8 * Size::MAX_PIXELS as u64);
+        reader.limits(limits);
+        let decoder = match reader.into_decoder() {
+            Err(ImageError::Limits(_)) => return Err(SizeError::TooLarge.into()),
+            decoder => decoder?,
         };
-        let (width, height) = open()?.into_dimensions()?;
+        let (width, height) = decoder.dimensions();
         Size::new(width as usize, height as usize)?;
-        Ok(open()?.decode()?.into_rgb8())
+        Ok(DynamicImage::from_decoder(decoder)?.into_rgb8())
     };
-    read().with_context(|| format!("cannot read {} as a PNG", path.display()))
+    read().map_err(|error| {
+        // The outer errors only say that there is an inner one.
+        let error = error.root_cause().to_string();
+        let (path, reason) = (path.display(), error.trim_end_matches('.'));
+        anyhow!("cannot read {path} as a PNG: {reason}; name one such as --output writes")
+    })
 }

@@ -1,0 +1,331 @@
+//! Whatever is thrown at it: arguments, values, pictures and scenes made by chance.
+//!
+//! The runs are short and always the same. `PROPTEST_CASES` makes them longer and
+//! `PROPTEST_RNG_SEED` different:
+//!
+//! ```sh
+//! PROPTEST_CASES=100000 PROPTEST_RNG_SEED=1 cargo test --test fuzz
+//! ```
+
+use std::env;
+use std::fs;
+
+use common::Camera;
+use common::Color;
+use common::Frame;
+use common::PerspectiveCamera;
+use common::Ray;
+use common::Size;
+use common::Vec3;
+use common::View;
+use image::ExtendedColorType;
+use image::ImageEncoder;
+use image::codecs::png::PngEncoder;
+use proptest::array::uniform3;
+use proptest::collection::vec;
+use proptest::prelude::*;
+use proptest::sample::select;
+use proptest::test_runner::RngSeed;
+use step07_specular::Lesson;
+use step07_specular::light::PointLight;
+use step07_specular::material::Material;
+use step07_specular::scene::Object;
+use step07_specular::scene::Scene;
+use step07_specular::sphere::Sphere;
+use step07_specular::triangle::Triangle;
+use tempfile::tempdir;
+use tests::STEPS;
+use tests::command;
+use tests::files;
+use tests::only_line;
+use tests::picture;
+use tests::step;
+
+/// A run of `cases`, always the same, unless the variables say otherwise.
+fn config(cases: u32) -> ProptestConfig {
+    let mut config = ProptestConfig { failure_persistence: None, ..ProptestConfig::default() };
+    if env::var_os("PROPTEST_CASES").is_none() {
+        config.cases = cases;
+    }
+    if env::var_os("PROPTEST_RNG_SEED").is_none() {
+        config.rng_seed = RngSeed::Fixed(0);
+    }
+    config
+}
+
+/// Text that is nearly right, or anything but a NUL, which no argument can have.
+fn text() -> impl Strategy<Value = String> {
+    prop_oneof![
+        "[-+.,=x×0-9a-z ]{0,8}",
+        "-{0,3}(size|set|pixel|samples|camera|compare|output|s|o|h)(=.{0,4})?",
+        "[^\0]{0,12}",
+    ]
+}
+
+/// Numbers as they are typed.
+fn number() -> impl Strategy<Value = String> {
+    prop_oneof![
+        any::<f32>().prop_map(|number| number.to_string()),
+        any::<i64>().prop_map(|number| number.to_string()),
+        (-3.0..3.0f32).prop_map(|number| format!("{number:.3}")),
+        (0..20u32).prop_map(|number| number.to_string()),
+        select(vec!["nan", "inf", "-inf", "1e999", "-0", "1e-50", ".5", "5.", "+1", "0x10", "1_0"])
+            .prop_map(str::to_owned),
+    ]
+}
+
+/// One to two arguments: a flag with something it may or may not take, or any text.
+fn arguments() -> impl Strategy<Value = Vec<String>> {
+    let controls: Vec<String> = {
+        let mut step = step(6);
+        step.controls().iter().map(|control| control.name.clone()).collect()
+    };
+    let value = prop_oneof![
+        number(),
+        text(),
+        select(vec!["on", "off", "red", "parallel", ""]).prop_map(str::to_owned)
+    ];
+    let small = || 0..70usize;
+    let pair = |flags: &'static [&'static str], value: BoxedStrategy<String>| {
+        (select(flags), value).prop_map(|(flag, value)| vec![flag.to_owned(), value])
+    };
+    prop_oneof![
+        4 => pair(&["-s", "--size"], (small(), small()).prop_map(|(w, h)| format!("{w}x{h}")).boxed()),
+        4 => pair(&["--set"], (select(controls), value).prop_map(|(k, v)| format!("{k}={v}")).boxed()),
+        2 => pair(&["--pixel"], (small(), small()).prop_map(|(x, y)| format!("{x},{y}")).boxed()),
+        2 => pair(&["--camera"], select(vec!["parallel", "perspective", "x"]).prop_map_into().boxed()),
+        2 => pair(&["--samples"], (0..20usize).prop_map(|n| n.to_string()).boxed()),
+        2 => pair(&["-o", "--output"], select(vec!["a.png", "b", "c.jpg", "d/e.png", "."]).prop_map_into().boxed()),
+        1 => pair(&["--compare"], select(vec!["a.png", "given.png", "."]).prop_map_into().boxed()),
+        1 => pair(&["-s", "--set", "--pixel", "--samples", "--camera"], text().boxed()),
+        1 => Just(vec!["--help".to_owned()]),
+        1 => text().prop_map(|text| vec![text]),
+    ]
+}
+
+proptest! {
+    #![proptest_config(config(150))]
+
+    /// Status 0 with what was asked for, or 1 or 2 with one line and nothing else.
+    #[test]
+    fn arguments_are_taken_or_refused_in_one_line(arguments in vec(arguments(), 0..5)) {
+        let folder = tempdir().expect("a folder");
+        picture(&*step(6), &step(6).view(), 9, 5).save(folder.path().join("given.png")).expect("saved");
+        let mut program = command(STEPS[6], folder.path());
+        let output = program.args(arguments.concat()).output().expect("it runs");
+        let said = String::from_utf8_lossy(&output.stderr);
+        prop_assert!(!said.contains("panicked"), "{said}");
+        match output.status.code() {
+            Some(0) => prop_assert!(said.lines().all(|line| line.starts_with(STEPS[6])), "{said}"),
+            // A difference found is no error.
+            Some(1) if said.starts_with(STEPS[6]) => {
+                prop_assert!(!output.stdout.is_empty());
+            }
+            Some(status @ (1 | 2)) => {
+                prop_assert!(only_line(&output).starts_with("error: "), "{said}");
+                prop_assert_eq!(said.ends_with("(--help lists what is possible)\n"), status == 2);
+                prop_assert!(output.stdout.is_empty());
+                prop_assert_eq!(files(folder.path()), ["given.png"]);
+            }
+            status => prop_assert!(false, "{status:?}: {said}"),
+        }
+    }
+
+    /// A picture that is broken anywhere is read or refused.
+    #[test]
+    fn a_broken_png_is_compared_or_refused_in_one_line(
+        changes in vec((any::<prop::sample::Index>(), any::<u8>(), 0..4u8), 1..6),
+        mend in any::<bool>(),
+    ) {
+        let view = step(1).view();
+        let picture = picture(&*step(1), &view, 16, 9);
+        let mut png = Vec::new();
+        PngEncoder::new(&mut png).write_image(&picture, 16, 9, ExtendedColorType::Rgb8).expect("encoded");
+        for (place, byte, change) in changes {
+            let at = place.index(png.len().max(1));
+            match change {
+                _ if png.is_empty() => png.push(byte),
+                0 => png[at] = byte,
+                1 => png.insert(at, byte),
+                2 => drop(png.remove(at)),
+                _ => png.truncate(at),
+            }
+        }
+        if mend {
+            mend_checksums(&mut png);
+        }
+        let folder = tempdir().expect("a folder");
+        fs::write(folder.path().join("broken.png"), &png).expect("written");
+        let mut program = command(STEPS[1], folder.path());
+        let output = program.args(["-s", "16x9", "--compare", "broken.png"]).output().expect("it runs");
+        let line = only_line(&output);
+        match output.status.code() {
+            Some(0 | 1) if line.starts_with(STEPS[1]) => prop_assert!(!output.stdout.is_empty()),
+            Some(1) => {
+                prop_assert!(line.starts_with("error: cannot read broken.png as a PNG: "), "{line}");
+                prop_assert!(output.stdout.is_empty());
+            }
+            status => prop_assert!(false, "{status:?}: {line}"),
+        }
+    }
+}
+
+/// Gives each chunk of `png` the checksum that it should have, so that what is inside is looked at.
+fn mend_checksums(png: &mut [u8]) {
+    let mut at = 8;
+    while let Some(&[a, b, c, d]) = png.get(at..at + 4) {
+        let end = at + 8 + u32::from_be_bytes([a, b, c, d]) as usize;
+        let Some(chunk) = png.get(at + 4..end) else { return };
+        let checksum = crc32(chunk).to_be_bytes();
+        let Some(place) = png.get_mut(end..end + 4) else { return };
+        place.copy_from_slice(&checksum);
+        at = end + 4;
+    }
+}
+
+/// The checksum of PNG chunks, as in appendix D of its specification.
+fn crc32(bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(!0, |crc, byte| {
+        (0..8).fold(crc ^ u32::from(*byte), |crc, _| {
+            if crc & 1 == 1 { 0xedb8_8320 ^ (crc >> 1) } else { crc >> 1 }
+        })
+    })
+}
+
+proptest! {
+    #![proptest_config(config(4000))]
+
+    #[test]
+    fn a_size_is_refused_or_within_the_limits(text in prop_oneof![text(), "[0-9]{1,12}[xX×][0-9]{1,12}"]) {
+        if let Ok(size) = text.parse::<Size>() {
+            let (width, height) = (size.width(), size.height());
+            prop_assert!((1..=Size::MAX_SIDE).contains(&width) && (1..=Size::MAX_SIDE).contains(&height));
+            prop_assert!(width * height <= Size::MAX_PIXELS);
+            prop_assert_eq!(size.to_string().parse(), Ok(size));
+        }
+    }
+
+    #[test]
+    fn a_control_takes_a_value_of_its_range_or_keeps_its_own(
+        index in 0..STEPS.len(),
+        place in any::<prop::sample::Index>(),
+        value in prop_oneof![3 => number(), 1 => text()],
+    ) {
+        let mut step = step(index);
+        let mut controls = step.controls();
+        let control = place.get(&controls).name.clone();
+        let control = controls.iter_mut().find(|known| known.name == control).expect("it is one");
+        let before = (control.text(), control.fraction());
+        match control.set(&value) {
+            Ok(()) => {
+                let fraction = control.fraction();
+                prop_assert!((0.0..=1.0).contains(&fraction));
+                // What is shown can be typed, and leaves the control where it is.
+                let shown = control.text();
+                prop_assert_eq!(control.set(&shown), Ok(()));
+                prop_assert_eq!(control.text(), shown);
+            }
+            Err(refused) => {
+                prop_assert_eq!(before, (control.text(), control.fraction()));
+                prop_assert!(refused.to_string().contains(&control.takes()));
+            }
+        }
+    }
+
+    /// With numbers up to 10⁶ in size, light is a number and not negative.
+    #[test]
+    fn a_scene_of_numbers_that_are_written_has_light_that_is_a_number(
+        scene in scene(measure().boxed(), amount().boxed()),
+        eye in uniform3(measure()),
+        target in uniform3(measure()),
+        field_of_view in measure(),
+    ) {
+        let lesson = Lesson { scene, ..Lesson::default() };
+        let (eye, target) = (Vec3::from(eye), Vec3::from(target));
+        let camera = PerspectiveCamera::new(eye, target, Vec3::Y, field_of_view, 1.0);
+        let points = [(0.5, 0.5), (0.25, 0.5), (0.9, 0.1)];
+        for ray in points.map(|(u, v)| camera.generate_ray(u, v)) {
+            let color = lesson.trace(&ray);
+            prop_assert!(color.is_finite() && color.min_element() >= 0.0, "{color} along {ray:?}");
+        }
+    }
+
+    /// With any 32 bits for numbers, infinite ones and none at all, there is a picture.
+    #[test]
+    fn a_scene_of_any_bits_has_a_picture(
+        scene in scene(bits().boxed(), bits().boxed()),
+        [origin, direction] in [uniform3(bits()), uniform3(bits())],
+        [field_of_view, azimuth, distance] in uniform3(bits()),
+        projection in 0..2usize,
+    ) {
+        let lesson = Lesson { scene, ..Lesson::default() };
+        lesson.trace(&Ray::new(origin.into(), direction.into()));
+        let mut view = View::new(origin.into(), direction.into(), field_of_view);
+        (view.azimuth, view.distance, view.projection) = (azimuth, distance, projection);
+        let camera = view.camera(2.0);
+        let size = Size::new(4, 2).expect("a size");
+        let frame = Frame { step: &lesson, camera: &*camera, size, samples: 2 };
+        prop_assert_eq!(frame.render(), frame.render());
+    }
+}
+
+/// A coordinate or a length.
+fn measure() -> impl Strategy<Value = f32> {
+    prop_oneof![
+        -10.0..10.0f32,
+        -1e6..1e6f32,
+        (-6..=6i32).prop_map(|exponent| 10f32.powi(exponent)),
+        (-2..=2i8).prop_map(f32::from),
+    ]
+}
+
+/// How much of something there is.
+fn amount() -> impl Strategy<Value = f32> {
+    measure().prop_map(f32::abs)
+}
+
+/// Any number, infinity or none.
+fn bits() -> impl Strategy<Value = f32> {
+    any::<u32>().prop_map(f32::from_bits)
+}
+
+fn scene(measure: BoxedStrategy<f32>, amount: BoxedStrategy<f32>) -> impl Strategy<Value = Scene> {
+    let point = || uniform3(measure.clone()).prop_map(Vec3::from);
+    let color = || uniform3(amount.clone()).prop_map(Color::from);
+    let material = || {
+        (color(), color(), amount.clone(), amount.clone())
+            .prop_map(|(k_a, k_d, k_s, exponent)| Material { k_a, k_d, k_s, exponent })
+    };
+    let sphere = (point(), measure.clone(), material()).prop_map(|(center, radius, material)| {
+        Object { name: "sphere", material, surface: Sphere { center, radius } }
+    });
+    let triangle = (point(), point(), point(), material()).prop_map(|(a, b, c, material)| Object {
+        name: "triangle",
+        material,
+        surface: Triangle::new([a, b, c]),
+    });
+    let light =
+        (point(), amount.clone(), any::<bool>()).prop_map(|(position, intensity, attenuation)| {
+            PointLight { position, intensity, attenuation }
+        });
+    let switches = (any::<bool>(), any::<bool>(), uniform3(any::<bool>()), 0..4usize);
+    (vec(sphere, 0..4), vec(triangle, 0..4), vec(light, 0..3), color(), amount.clone(), switches)
+        .prop_map(|(spheres, triangles, lights, background, ambient, switches)| {
+            let (shadows, phong, terms, lit) = switches;
+            let epsilon = 1e-3;
+            let camera_light = ambient;
+            Scene {
+                spheres,
+                triangles,
+                background,
+                lights,
+                lit,
+                camera_light,
+                ambient,
+                shadows,
+                epsilon,
+                phong,
+                terms,
+            }
+        })
+}
