@@ -1,1 +1,345 @@
+//! What is typed: each wrong input gets one line that says what is wrong and what to do instead.
 
+use std::ffi::OsString;
+use std::io;
+use std::process::Command;
+use std::process::Output;
+use std::process::Stdio;
+
+use common::Size;
+use image::ImageReader;
+use tempfile::tempdir;
+use tests::STEPS;
+use tests::command;
+use tests::files;
+use tests::only_line;
+use tests::step;
+
+/// Arguments that no step takes, and words of the line that says so.
+const WRONG: &[(&[&str], &[&str])] = &[
+    (&["--size", "0x0"], &["'0x0'", "at least 1"]),
+    (&["--size", "0x5"], &["'0x5'", "at least 1"]),
+    (&["--size", "100000x100000"], &["100000 pixels a side", "100 million"]),
+    (&["--size", "100001x1"], &["100000 pixels a side"]),
+    (&["--size", "1x100001"], &["100000 pixels a side"]),
+    (&["--size", "18446744073709551616x2"], &["100000 pixels a side"]),
+    (&["--size", "4294967296x4294967296"], &["100000 pixels a side"]),
+    (&["--size", "-5x3"], &["'-5x3'", "WIDTHxHEIGHT", "960x540"]),
+    (&["-s", "-5x-3"], &["'-5x-3'", "WIDTHxHEIGHT"]),
+    (&["-s-5x3"], &["'-5x3'", "WIDTHxHEIGHT"]),
+    (&["--size", "5"], &["'5'", "WIDTHxHEIGHT"]),
+    (&["--size", "5x"], &["'5x'", "WIDTHxHEIGHT"]),
+    (&["--size", "x5"], &["'x5'", "WIDTHxHEIGHT"]),
+    (&["--size", "5x5x5"], &["'5x5x5'", "WIDTHxHEIGHT"]),
+    (&["--size", "5.5x5"], &["'5.5x5'", "WIDTHxHEIGHT"]),
+    (&["--size", "5,5"], &["'5,5'", "WIDTHxHEIGHT"]),
+    (&["--size", "5*5"], &["'5*5'", "WIDTHxHEIGHT"]),
+    (&["--size", "5 x 5"], &["'5 x 5'", "WIDTHxHEIGHT"]),
+    (&["--size", ""], &["''", "WIDTHxHEIGHT"]),
+    (&["--size="], &["''", "WIDTHxHEIGHT"]),
+    (&["--size", "large"], &["'large'", "WIDTHxHEIGHT"]),
+    (&["--size", "nanxinf"], &["'nanxinf'", "WIDTHxHEIGHT"]),
+    (&["--size", "٣x٣"], &["'٣x٣'", "WIDTHxHEIGHT"]),
+    (&["--size", "3\n3"], &["--size", "WIDTHxHEIGHT"]),
+    (&["--size", "--help"], &["'--help'", "WIDTHxHEIGHT"]),
+    (&["--size"], &["--size <WxH>", "value is required"]),
+    (&["-s", "9x9", "--size", "8x8"], &["--size", "cannot be used multiple times"]),
+    (&["--samples", "0"], &["'0'", "1 to 16"]),
+    (&["--samples", "17"], &["'17'", "1 to 16"]),
+    (&["--samples", "99999999999999999999"], &["1 to 16"]),
+    (&["--samples", "-1"], &["'-1'", "1 to 16"]),
+    (&["--samples", "1.5"], &["'1.5'", "1 to 16"]),
+    (&["--samples", "two"], &["'two'", "1 to 16"]),
+    (&["--samples="], &["''", "1 to 16"]),
+    (&["--samples", "1", "--samples", "1"], &["--samples", "cannot be used multiple times"]),
+    (&["--set", "fov"], &["'fov' has no '='", "NAME=VALUE"]),
+    (&["--set", ""], &["'' has no '='", "NAME=VALUE"]),
+    (&["--set", "-h"], &["'-h' has no '='", "NAME=VALUE"]),
+    (&["--set"], &["--set <NAME=VALUE>", "value is required"]),
+    (&["--set", "="], &["no control ''", "there are", "azimuth", "fov"]),
+    (&["--set", "=40"], &["no control ''", "there are"]),
+    (&["--set", "fovv=40"], &["no control 'fovv'", "did you mean 'fov'?", "azimuth"]),
+    (&["--set", "FOV=40"], &["no control 'FOV'", "did you mean 'fov'?"]),
+    (&["--set", "fov =40"], &["no control 'fov '", "did you mean 'fov'?"]),
+    (&["--set", "distnace=4"], &["did you mean 'distance'?"]),
+    (&["--set", "zoom=4"], &["no control 'zoom'; there are", "fov"]),
+    (&["--set", "fo\nv=4"], &[r"no control 'fo\nv'", "did you mean 'fov'?"]),
+    (&["--set", "fo\u{1b}[31mv=4"], &[r"no control 'fo\u{1b}[31mv'"]),
+    (&["--set", "fov=nan"], &["'fov' cannot be 'nan'", "1 to 170"]),
+    (&["--set", "fov=inf"], &["'fov' cannot be 'inf'", "1 to 170"]),
+    (&["--set", "fov=-inf"], &["'fov' cannot be '-inf'", "1 to 170"]),
+    (&["--set", "fov=0"], &["'fov' cannot be '0'", "1 to 170"]),
+    (&["--set", "fov=180"], &["'fov' cannot be '180'", "1 to 170"]),
+    (&["--set", "fov=1e99"], &["'fov' cannot be '1e99'", "1 to 170"]),
+    (&["--set", "fov="], &["'fov' cannot be ''", "1 to 170"]),
+    (&["--set", "fov=40°"], &["'fov' cannot be '40°'", "1 to 170"]),
+    (&["--set", "fov=4,5"], &["'fov' cannot be '4,5'", "1 to 170"]),
+    (&["--set", "fov=4=5"], &["'fov' cannot be '4=5'", "1 to 170"]),
+    (&["--set", "fov=4\n5"], &[r"'fov' cannot be '4\n5'", "1 to 170"]),
+    (&["--set", "camera=wide"], &["'camera' cannot be 'wide'", "perspective | parallel"]),
+    (&["--set", "fov=40", "--set", "fov=0"], &["'fov' cannot be '0'"]),
+    (&["--set", "fov=0", "--set", "fov=40"], &["'fov' cannot be '0'"]),
+    (&["--camera", "wide"], &["'wide'", "--camera", "perspective, parallel"]),
+    (&["--camera", "Parallel"], &["'Parallel'", "perspective, parallel"]),
+    (&["--camera", "paralel"], &["'paralel'", "similar value", "'parallel'"]),
+    (&["--camera", ""], &["--camera", "perspective, parallel"]),
+    (&["--camera"], &["--camera <KIND>", "perspective, parallel"]),
+    (
+        &["--camera", "parallel", "--camera", "parallel"],
+        &["--camera", "cannot be used multiple times"],
+    ),
+    (&["--pixel", "960,0"], &["no pixel 960,0", "960x540", "0,0 to 959,539"]),
+    (&["--pixel", "0,540"], &["no pixel 0,540", "0,0 to 959,539"]),
+    (&["-s", "9x5", "--pixel", "9,5"], &["no pixel 9,5", "9x5", "0,0 to 8,4"]),
+    (&["--pixel", "-1,0"], &["'-1,0'", "whole numbers from 0"]),
+    (&["--pixel", "1.5,0"], &["'1.5,0'", "whole numbers from 0"]),
+    (&["--pixel", "1,2,3"], &["'1,2,3'", "whole numbers from 0"]),
+    (&["--pixel", "99999999999999999999,0"], &["whole numbers from 0"]),
+    (&["--pixel", ","], &["','", "whole numbers from 0"]),
+    (&["--pixel", "5"], &["'5'", "X,Y", "480,270"]),
+    (&["--pixel", "5x5"], &["'5x5'", "X,Y", "480,270"]),
+    (&["--pixel", ""], &["''", "X,Y", "480,270"]),
+    (&["--pixel"], &["--pixel <X,Y>", "value is required"]),
+    (&["--pixel", "1,1", "-o", "a.png"], &["--pixel", "cannot be used with", "--output"]),
+    (&["--pixel", "1,1", "--samples", "2"], &["--pixel", "cannot be used with", "--samples"]),
+    (&["--compare", "a.png", "--pixel", "1,1"], &["--pixel", "cannot be used with", "--compare"]),
+    (&["--pixel", "1,1", "--pixel", "2,2"], &["--pixel", "cannot be used multiple times"]),
+    (&["--output"], &["--output <FILE>", "value is required"]),
+    (&["-o", "", "-s", "9x9"], &["--output <FILE>", "value is required"]),
+    (&["-o", "-s", "9x9"], &["--output <FILE>", "value is required"]),
+    (&["-o", "a.png", "-o", "b.png"], &["--output", "cannot be used multiple times"]),
+    (&["-o", "a.jpg"], &["'a.jpg'", "name it a.png"]),
+    (&["-o", "a.JPEG"], &["'a.JPEG'", "name it a.png"]),
+    (&["-o", "b.c/a.ppm"], &["'b.c/a.ppm'", "name it b.c/a.png"]),
+    (&["--compare"], &["--compare <FILE>", "value is required"]),
+    (&["--compare", ""], &["--compare <FILE>", "value is required"]),
+    (&["--compare", "a.png", "--compare", "b.png"], &["--compare", "multiple times"]),
+    (&["--bogus"], &["unexpected argument '--bogus'"]),
+    (&["--sizes", "9x9"], &["unexpected argument '--sizes'", "similar", "'--size'"]),
+    (&["--out=a.png"], &["unexpected argument '--out'", "similar", "'--output'"]),
+    (&["-x"], &["unexpected argument '-x'"]),
+    (&["-xs", "9x9"], &["unexpected argument '-x'"]),
+    (&["--version"], &["unexpected argument '--version'"]),
+    (&["--help=all"], &["unexpected value 'all'", "--help"]),
+    (&["picture.png"], &["unexpected argument 'picture.png'"]),
+    (&["-s", "9x9", "picture.png"], &["unexpected argument 'picture.png'"]),
+    (&["--", "picture.png"], &["unexpected argument 'picture.png'"]),
+    (&[""], &["unexpected argument ''"]),
+    (&["a\nb"], &["unexpected argument", "a", "b"]),
+];
+
+/// The same for what only the last step has.
+const WRONG_IN_THE_LAST_STEP: &[(&[&str], &[&str])] = &[
+    (&["--set", "radus=1"], &["no control 'radus'", "did you mean 'radius'?"]),
+    (&["--set", "ks=0.5"], &["did you mean 'k_s'?"]),
+    (&["--set", "l_s=on"], &["did you mean 'L_s'?"]),
+    (&["--set", "radius=0"], &["'radius' cannot be '0'", "0.1 to 2"]),
+    (&["--set", "radius=-1"], &["'radius' cannot be '-1'", "0.1 to 2"]),
+    (&["--set", "epsilon=1"], &["'epsilon' cannot be '1'", "0 to 0.1"]),
+    (&["--set", "lights=3"], &["'lights' cannot be '3'", "0 to 2"]),
+    (&["--set", "lights=1.5"], &["'lights' cannot be '1.5'", "0 to 2"]),
+    (&["--set", "lights=-1"], &["'lights' cannot be '-1'", "0 to 2"]),
+    (&["--set", "shadows=maybe"], &["'shadows' cannot be 'maybe'", "on | off"]),
+    (&["--set", "shadows=1"], &["'shadows' cannot be '1'", "on | off"]),
+    (&["--set", "sphere=yellow"], &["'sphere' cannot be 'yellow'", "red | green | blue"]),
+    (&["--set", "sphere=Red"], &["'sphere' cannot be 'Red'", "red | green | blue"]),
+];
+
+/// Runs the step in an empty folder.
+fn run(name: &str, arguments: &[OsString]) -> (Output, Vec<OsString>) {
+    let folder = tempdir().expect("a folder");
+    let output = command(name, folder.path()).args(arguments).output().expect("it runs");
+    (output, files(folder.path()))
+}
+
+fn strings(arguments: &[&str]) -> Vec<OsString> {
+    arguments.iter().map(OsString::from).collect()
+}
+
+/// One line with `words`, nothing on standard output, nothing written, status 2.
+#[track_caller]
+fn assert_refused(name: &str, arguments: &[OsString], words: &[&str]) {
+    let (output, files) = run(name, arguments);
+    let line = only_line(&output);
+    assert!(line.starts_with("error: "), "{arguments:?}: {line}");
+    assert!(line.ends_with(" (--help lists what is possible)"), "{arguments:?}: {line}");
+    for word in words {
+        assert!(line.contains(word), "{arguments:?}: no {word:?} in: {line}");
+    }
+    assert!(!line.contains(char::is_control), "{arguments:?}: {line:?}");
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {line}");
+    assert!(output.stdout.is_empty(), "{arguments:?} printed something");
+    assert!(files.is_empty(), "{arguments:?} wrote {files:?}");
+}
+
+#[test]
+fn wrong_arguments_are_refused_in_one_line() {
+    for name in STEPS {
+        for (arguments, words) in WRONG {
+            assert_refused(name, &strings(arguments), words);
+        }
+    }
+    for (arguments, words) in WRONG_IN_THE_LAST_STEP {
+        assert_refused(STEPS[6], &strings(arguments), words);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn arguments_that_are_no_text_are_refused_in_one_line() {
+    use std::os::unix::ffi::OsStringExt;
+
+    let no_text = OsString::from_vec(b"fov=\xff".to_vec());
+    for flag in ["--size", "--camera", "--set", "--samples", "--pixel"] {
+        assert_refused(STEPS[6], &[flag.into(), no_text.clone()], &["UTF-8"]);
+    }
+    assert_refused(STEPS[6], &[no_text], &["unexpected argument"]);
+}
+
+#[test]
+fn sizes_up_to_the_limits_are_rendered() {
+    let folder = tempdir().expect("a folder");
+    for (typed, width, height) in [
+        ("1x1", 1, 1),
+        ("1x100000", 1, 100_000),
+        ("100000x1", 100_000, 1),
+        ("16×9", 16, 9),
+        ("16X9", 16, 9),
+    ] {
+        let mut program = command(STEPS[6], folder.path());
+        let output = program.args(["-s", typed, "-o", "a.png"]).output().expect("it runs");
+        let line = only_line(&output);
+        assert!(line.contains(&format!("{width}x{height} rendered in")), "{line}");
+        assert_eq!(output.status.code(), Some(0), "{line}");
+        let picture = ImageReader::open(folder.path().join("a.png")).expect("it is there");
+        assert_eq!(picture.into_dimensions().expect("a PNG"), (width, height));
+    }
+}
+
+/// What `arguments` make of pixel (4, 4), of which not every part depends on every control.
+fn pixel(arguments: &[&str]) -> String {
+    let (output, _) =
+        run(STEPS[6], &strings(&[&["-s", "9x9", "--pixel", "4,4"], arguments].concat()));
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}");
+    assert!(output.stderr.is_empty(), "{arguments:?}");
+    String::from_utf8(output.stdout).expect("text")
+}
+
+#[test]
+fn settings_are_applied_in_order_and_the_last_one_counts() {
+    let [small, large] = ["radius=0.9", "radius=1.1"];
+    assert_ne!(pixel(&["--set", small]), pixel(&["--set", large]));
+    assert_eq!(pixel(&["--set", small, "--set", large]), pixel(&["--set", large]));
+    // A choice decides what the settings after it act on.
+    let green = ["--set", "sphere=green", "--set", "radius=0.1"];
+    assert_eq!(pixel(&green), pixel(&[]));
+    let red = ["--set", "radius=0.1", "--set", "sphere=green"];
+    assert_eq!(pixel(&red), pixel(&["--set", "radius=0.1"]));
+    assert_ne!(pixel(&red), pixel(&[]));
+    // --camera comes before all of them, wherever it is typed.
+    let both = ["--set", "camera=perspective", "--camera", "parallel"];
+    assert_eq!(pixel(&both), pixel(&[]));
+    assert_ne!(pixel(&["--camera", "parallel"]), pixel(&[]));
+}
+
+#[test]
+fn help_names_every_flag_and_control_and_writes_nothing() {
+    for (index, name) in STEPS.iter().enumerate() {
+        let (output, files) = run(name, &strings(&["--help"]));
+        let text = String::from_utf8(output.stdout).expect("text");
+        let flags =
+            ["--output", "--size", "--camera", "--set", "--samples", "--pixel", "--compare"];
+        let (mut step, mut view) = (step(index), step(index).view());
+        let controls: Vec<_> = step.controls().into_iter().chain(view.controls()).collect();
+        let controls = controls.iter().map(|control| {
+            format!("  {:<14} {} ({})\n", control.name, control.takes(), control.text())
+        });
+        for part in flags.map(str::to_owned).into_iter().chain(controls) {
+            assert!(text.contains(&part), "{name}: no {part:?} in:\n{text}");
+        }
+        let size = Size::DEFAULT.to_string();
+        assert!(text.starts_with(&format!("{name}: ")) && text.contains(&size), "{text}");
+        assert!(output.stderr.is_empty() && files.is_empty(), "{name}");
+        assert_eq!(output.status.code(), Some(0), "{name}");
+    }
+}
+
+/// The writing end of a pipe that nobody reads.
+fn closed_pipe() -> Stdio {
+    let (_, writer) = io::pipe().expect("a pipe");
+    writer.into()
+}
+
+#[test]
+fn standard_output_may_be_closed_early() {
+    let folder = tempdir().expect("a folder");
+    let mut given = command(STEPS[6], folder.path());
+    assert!(given.args(["-s", "9x9", "-o", "a.png"]).status().expect("it runs").success());
+    for (arguments, lines) in [
+        (&["--help"][..], 0),
+        (&["--pixel", "480,270"], 0),
+        (&["-s", "9x9", "--compare", "a.png"], 1),
+    ] {
+        let mut program = command(STEPS[6], folder.path());
+        let output = program.args(arguments).stdout(closed_pipe()).output().expect("it runs");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}: {said}");
+        assert_eq!(said.lines().count(), lines, "{arguments:?}: {said}");
+    }
+}
+
+#[test]
+fn standard_error_may_be_closed() {
+    for (arguments, status) in [(&["-s", "0x0"][..], 2), (&["-s", "9x9", "-o", "a.png"], 0)] {
+        let folder = tempdir().expect("a folder");
+        let mut program = command(STEPS[6], folder.path());
+        let ended = program.args(arguments).stderr(closed_pipe()).status().expect("it runs");
+        assert_eq!(ended.code(), Some(status), "{arguments:?}");
+        assert_eq!(files(folder.path()).len(), usize::from(status == 0), "{arguments:?}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn the_standard_streams_may_be_missing() {
+    let folder = tempdir().expect("a folder");
+    let program = command(STEPS[6], folder.path());
+    for (arguments, status) in [("-s 0x0", 2), ("-s 9x9 -o a.png", 0), ("--help", 0)] {
+        let script = format!(r#"exec "$0" {arguments} <&- >&- 2>&-"#);
+        let mut shell = Command::new("sh");
+        shell.current_dir(folder.path()).args(["-c", &script]).arg(program.get_program());
+        assert_eq!(shell.status().expect("sh runs").code(), Some(status), "{arguments:?}");
+    }
+    let picture = ImageReader::open(folder.path().join("a.png")).expect("it is there");
+    assert_eq!(picture.into_dimensions().expect("a PNG"), (9, 9));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn standard_output_that_is_full_is_a_failure() {
+    use std::fs::File;
+
+    let folder = tempdir().expect("a folder");
+    for arguments in [["--help"].as_slice(), &["--pixel", "1,1"]] {
+        let full = File::options().write(true).open("/dev/full").expect("it is there");
+        let mut program = command(STEPS[6], folder.path());
+        let output = program.args(arguments).stdout(full).output().expect("it runs");
+        let line = only_line(&output);
+        assert!(line.starts_with("error: cannot write to standard output: "), "{line}");
+        assert_eq!(output.status.code(), Some(1), "{line}");
+    }
+}
+
+/// A refused size is refused before there is memory for it.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_gigantic_size_is_refused_before_memory_is_asked_for() {
+    let folder = tempdir().expect("a folder");
+    let program = command(STEPS[6], folder.path());
+    let mut shell = Command::new("sh");
+    shell.current_dir(folder.path());
+    shell.args(["-c", r#"ulimit -v 500000; exec "$0" -s 100000x100000 -o a.png"#]);
+    let output = shell.arg(program.get_program()).output().expect("sh runs");
+    assert!(only_line(&output).contains("100 million in all"));
+    assert_eq!(output.status.code(), Some(2));
+}

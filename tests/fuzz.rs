@@ -36,6 +36,7 @@ use step07_specular::triangle::Triangle;
 use tempfile::tempdir;
 use tests::STEPS;
 use tests::command;
+use tests::crc32;
 use tests::files;
 use tests::only_line;
 use tests::picture;
@@ -57,7 +58,7 @@ fn config(cases: u32) -> ProptestConfig {
 fn text() -> impl Strategy<Value = String> {
     prop_oneof![
         "[-+.,=x×0-9a-z ]{0,8}",
-        "-{0,3}(size|set|pixel|samples|camera|compare|output|s|o|h)(=.{0,4})?",
+        "-{0,3}(size|set|pixel|samples|camera|compare|output|s|o|h)(=[^\0]{0,4})?",
         "[^\0]{0,12}",
     ]
 }
@@ -80,23 +81,24 @@ fn arguments() -> impl Strategy<Value = Vec<String>> {
         let mut step = step(6);
         step.controls().iter().map(|control| control.name.clone()).collect()
     };
-    let value = prop_oneof![
-        number(),
-        text(),
-        select(vec!["on", "off", "red", "parallel", ""]).prop_map(str::to_owned)
-    ];
-    let small = || 0..70usize;
+    let words = |words: &'static [&'static str]| select(words).prop_map(str::to_owned).boxed();
+    let two = |separator: &'static str| {
+        (0..70usize, 0..70usize).prop_map(move |(a, b)| format!("{a}{separator}{b}")).boxed()
+    };
+    let value = prop_oneof![number(), text(), words(&["on", "off", "red", "parallel", ""])];
+    let setting = (select(controls), value).prop_map(|(name, value)| format!("{name}={value}"));
+    let samples = prop_oneof![0..4usize, 17..20usize].prop_map(|samples| samples.to_string());
     let pair = |flags: &'static [&'static str], value: BoxedStrategy<String>| {
         (select(flags), value).prop_map(|(flag, value)| vec![flag.to_owned(), value])
     };
     prop_oneof![
-        4 => pair(&["-s", "--size"], (small(), small()).prop_map(|(w, h)| format!("{w}x{h}")).boxed()),
-        4 => pair(&["--set"], (select(controls), value).prop_map(|(k, v)| format!("{k}={v}")).boxed()),
-        2 => pair(&["--pixel"], (small(), small()).prop_map(|(x, y)| format!("{x},{y}")).boxed()),
-        2 => pair(&["--camera"], select(vec!["parallel", "perspective", "x"]).prop_map_into().boxed()),
-        2 => pair(&["--samples"], (0..20usize).prop_map(|n| n.to_string()).boxed()),
-        2 => pair(&["-o", "--output"], select(vec!["a.png", "b", "c.jpg", "d/e.png", "."]).prop_map_into().boxed()),
-        1 => pair(&["--compare"], select(vec!["a.png", "given.png", "."]).prop_map_into().boxed()),
+        4 => pair(&["-s", "--size"], two("x")),
+        4 => pair(&["--set"], setting.boxed()),
+        2 => pair(&["--pixel"], two(",")),
+        2 => pair(&["--camera"], words(&["parallel", "perspective", "x"])),
+        2 => pair(&["--samples"], samples.boxed()),
+        2 => pair(&["-o", "--output"], words(&["a.png", "b", "c.jpg", "d/e.png", "."])),
+        1 => pair(&["--compare"], words(&["a.png", "given.png", "."])),
         1 => pair(&["-s", "--set", "--pixel", "--samples", "--camera"], text().boxed()),
         1 => Just(vec!["--help".to_owned()]),
         1 => text().prop_map(|text| vec![text]),
@@ -110,7 +112,8 @@ proptest! {
     #[test]
     fn arguments_are_taken_or_refused_in_one_line(arguments in vec(arguments(), 0..5)) {
         let folder = tempdir().expect("a folder");
-        picture(&*step(6), &step(6).view(), 9, 5).save(folder.path().join("given.png")).expect("saved");
+        let given = picture(&*step(6), &step(6).view(), 9, 5);
+        given.save(folder.path().join("given.png")).expect("saved");
         let mut program = command(STEPS[6], folder.path());
         let output = program.args(arguments.concat()).output().expect("it runs");
         let said = String::from_utf8_lossy(&output.stderr);
@@ -118,9 +121,7 @@ proptest! {
         match output.status.code() {
             Some(0) => prop_assert!(said.lines().all(|line| line.starts_with(STEPS[6])), "{said}"),
             // A difference found is no error.
-            Some(1) if said.starts_with(STEPS[6]) => {
-                prop_assert!(!output.stdout.is_empty());
-            }
+            Some(1) if said.starts_with(STEPS[6]) => prop_assert!(!output.stdout.is_empty()),
             Some(status @ (1 | 2)) => {
                 prop_assert!(only_line(&output).starts_with("error: "), "{said}");
                 prop_assert_eq!(said.ends_with("(--help lists what is possible)\n"), status == 2);
@@ -140,7 +141,8 @@ proptest! {
         let view = step(1).view();
         let picture = picture(&*step(1), &view, 16, 9);
         let mut png = Vec::new();
-        PngEncoder::new(&mut png).write_image(&picture, 16, 9, ExtendedColorType::Rgb8).expect("encoded");
+        let encoder = PngEncoder::new(&mut png);
+        encoder.write_image(&picture, 16, 9, ExtendedColorType::Rgb8).expect("encoded");
         for (place, byte, change) in changes {
             let at = place.index(png.len().max(1));
             match change {
@@ -157,12 +159,14 @@ proptest! {
         let folder = tempdir().expect("a folder");
         fs::write(folder.path().join("broken.png"), &png).expect("written");
         let mut program = command(STEPS[1], folder.path());
-        let output = program.args(["-s", "16x9", "--compare", "broken.png"]).output().expect("it runs");
+        let program = program.args(["-s", "16x9", "--compare", "broken.png"]);
+        let output = program.output().expect("it runs");
         let line = only_line(&output);
         match output.status.code() {
             Some(0 | 1) if line.starts_with(STEPS[1]) => prop_assert!(!output.stdout.is_empty()),
             Some(1) => {
-                prop_assert!(line.starts_with("error: cannot read broken.png as a PNG: "), "{line}");
+                let beginning = "error: cannot read broken.png as a PNG: ";
+                prop_assert!(line.starts_with(beginning), "{line}");
                 prop_assert!(output.stdout.is_empty());
             }
             status => prop_assert!(false, "{status:?}: {line}"),
@@ -183,23 +187,16 @@ fn mend_checksums(png: &mut [u8]) {
     }
 }
 
-/// The checksum of PNG chunks, as in appendix D of its specification.
-fn crc32(bytes: &[u8]) -> u32 {
-    !bytes.iter().fold(!0, |crc, byte| {
-        (0..8).fold(crc ^ u32::from(*byte), |crc, _| {
-            if crc & 1 == 1 { 0xedb8_8320 ^ (crc >> 1) } else { crc >> 1 }
-        })
-    })
-}
-
 proptest! {
     #![proptest_config(config(4000))]
 
     #[test]
-    fn a_size_is_refused_or_within_the_limits(text in prop_oneof![text(), "[0-9]{1,12}[xX×][0-9]{1,12}"]) {
+    fn a_size_is_refused_or_within_the_limits(
+        text in prop_oneof![text(), "[0-9]{1,12}[xX×][0-9]{1,12}", "[0-9]{1,6}x[0-9]{1,6}"],
+    ) {
         if let Ok(size) = text.parse::<Size>() {
             let (width, height) = (size.width(), size.height());
-            prop_assert!((1..=Size::MAX_SIDE).contains(&width) && (1..=Size::MAX_SIDE).contains(&height));
+            prop_assert!(width.min(height) >= 1 && width.max(height) <= Size::MAX_SIDE);
             prop_assert!(width * height <= Size::MAX_PIXELS);
             prop_assert_eq!(size.to_string().parse(), Ok(size));
         }
@@ -309,11 +306,10 @@ fn scene(measure: BoxedStrategy<f32>, amount: BoxedStrategy<f32>) -> impl Strate
             PointLight { position, intensity, attenuation }
         });
     let switches = (any::<bool>(), any::<bool>(), uniform3(any::<bool>()), 0..4usize);
-    (vec(sphere, 0..4), vec(triangle, 0..4), vec(light, 0..3), color(), amount.clone(), switches)
-        .prop_map(|(spheres, triangles, lights, background, ambient, switches)| {
-            let (shadows, phong, terms, lit) = switches;
-            let epsilon = 1e-3;
-            let camera_light = ambient;
+    let objects = (vec(sphere, 0..4), vec(triangle, 0..4), vec(light, 0..3));
+    (objects, color(), uniform3(amount.clone()), switches).prop_map(
+        |((spheres, triangles, lights), background, amounts, (shadows, phong, terms, lit))| {
+            let [camera_light, ambient, epsilon] = amounts;
             Scene {
                 spheres,
                 triangles,
@@ -327,5 +323,6 @@ fn scene(measure: BoxedStrategy<f32>, amount: BoxedStrategy<f32>) -> impl Strate
                 phong,
                 terms,
             }
-        })
+        },
+    )
 }

@@ -201,3 +201,12 @@ pub fn only_line(output: &Output) -> &str {
     assert!(!line.contains('\n'), "more than one line on standard error:\n{text}");
     line
 }
+
+/// The checksum of PNG chunks, as in appendix D of its specification.
+pub fn crc32(bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(!0, |crc, byte| {
+        (0..8).fold(crc ^ u32::from(*byte), |crc, _| {
+            if crc & 1 == 1 { 0xedb8_8320 ^ (crc >> 1) } else { crc >> 1 }
+        })
+    })
+}
