@@ -60,7 +60,10 @@ fn parallel(eye: Vec3, target: Vec3, up: Vec3, height: f32) -> Box<dyn Camera> {
     Box::new(OrthographicCamera::new(eye, target, up, height, 1.5))
 }
 
-const CAMERAS: [fn(Vec3, Vec3, Vec3, f32) -> Box<dyn Camera>; 2] = [perspective, parallel];
+/// Eye, target, up, and the field of view in degrees or the height.
+type NewCamera = fn(Vec3, Vec3, Vec3, f32) -> Box<dyn Camera>;
+
+const CAMERAS: [NewCamera; 2] = [perspective, parallel];
 const CORNERS: [(f32, f32); 5] = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0), (0.5, 0.5)];
 
 #[test]
