@@ -319,49 +319,50 @@ steps_with_scenes! {
     specular: step07_specular,
 }
 
-/// Points on a sphere, on the floor, at a vertex, in a centre, at the camera.
-const LIT: [Vec3; 5] = [
-    Vec3::new(-0.3, 1.0, 1.0),
-    Vec3::new(0.0, 0.0, 2.0),
-    Vec3::new(1.7, 1.9, -0.9),
-    Vec3::new(-0.3, 1.0, 0.0),
-    Vec3::new(0.0, 2.4, 7.0),
-];
+macro_rules! steps_with_lights {
+    ($($module:ident: $step:ident, $light:ident $([$index:literal])?;)*) => {$(
+        mod $module {
+            use $step::Lesson;
 
-#[test]
-fn a_light_may_be_on_a_surface() {
-    for position in LIT {
-        let mut lesson = step05_diffuse::Lesson::default();
-        lesson.scene.light.position = position;
-        assert_finite(&seen(&lesson));
-        let mut lesson = step06_shadows::Lesson::default();
-        lesson.scene.lights[0].position = position;
-        assert_finite(&seen(&lesson));
-        let mut lesson = step07_specular::Lesson::default();
-        lesson.scene.lights[0].position = position;
-        assert_finite(&seen(&lesson));
-    }
+            use super::*;
+
+            #[test]
+            fn a_light_may_be_on_a_surface() {
+                let mut lesson = Lesson::default();
+                let camera = lesson.view().camera(1.5);
+                let parts = || (0..16).map(|part| part as f32 / 15.0);
+                let mut hits = 0;
+                for (u, v) in parts().flat_map(|u| parts().map(move |v| (u, v))) {
+                    let ray = camera.generate_ray(u, v);
+                    let hit = lesson.scene.intersect(&ray, 0.0, f32::INFINITY);
+                    let Some(point) = hit.map(|(record, _)| record.point) else { continue };
+                    lesson.scene.$light$([$index])?.position = point;
+                    assert!(lesson.trace(&ray).is_finite(), "with the light at {point}");
+                    hits += 1;
+                }
+                assert!(hits > 100);
+            }
+
+            #[test]
+            fn a_light_whose_position_is_no_number_gives_none() {
+                let mut dark = Lesson::default();
+                dark.scene.$light$([$index])?.intensity = 0.0;
+                let dark = seen(&dark);
+                assert_ne!(dark, seen(&Lesson::default()));
+                for position in not_numbers(Vec3::new(4.0, 6.0, 5.0)) {
+                    let mut lesson = Lesson::default();
+                    lesson.scene.$light$([$index])?.position = position;
+                    assert_eq!(seen(&lesson), dark);
+                }
+            }
+        }
+    )*};
 }
 
-#[test]
-fn a_light_whose_position_is_no_number_gives_none() {
-    for position in not_numbers(Vec3::new(4.0, 6.0, 5.0)) {
-        let mut lesson = step05_diffuse::Lesson::default();
-        lesson.scene.light.position = position;
-        let changed = seen(&lesson);
-        lesson.scene.light.intensity = 0.0;
-        assert_eq!(changed, seen(&lesson));
-        let mut lesson = step06_shadows::Lesson::default();
-        lesson.scene.lights[0].position = position;
-        let changed = seen(&lesson);
-        lesson.scene.lights.remove(0);
-        assert_eq!(changed, seen(&lesson));
-        let mut lesson = step07_specular::Lesson::default();
-        lesson.scene.lights[0].position = position;
-        let changed = seen(&lesson);
-        lesson.scene.lights.remove(0);
-        assert_eq!(changed, seen(&lesson));
-    }
+steps_with_lights! {
+    diffuse_light: step05_diffuse, light;
+    shadows_light: step06_shadows, lights[0];
+    specular_light: step07_specular, lights[0];
 }
 
 /// A pixel of the lecture's picture, as an angle.

@@ -242,7 +242,7 @@ mod ended {
     enum Moment {
         /// After this share of the time that it takes undisturbed.
         After(f64),
-        /// When a file has appeared beside the old one.
+        /// When the folder is no longer as it was.
         Writing,
     }
 
@@ -265,8 +265,11 @@ mod ended {
             match moment {
                 Moment::After(share) => thread::sleep(duration.mul_f64(share)),
                 Moment::Writing => {
+                    let old = folder.path().join("old.png");
+                    let size = || fs::metadata(&old).expect("it is there").len();
                     while child.try_wait().expect("it is a child").is_none()
                         && files(folder.path()).len() == 1
+                        && size() == OLD.len() as u64
                     {
                         thread::yield_now();
                     }
