@@ -21,6 +21,8 @@ mod control;
 #[cfg(feature = "desktop")]
 mod desktop;
 mod explanation;
+#[cfg(feature = "figures")]
+mod figure;
 mod frame;
 mod ray;
 mod rows;
@@ -39,11 +41,17 @@ pub use compare::TOLERANCE;
 pub use compare::side_by_side;
 pub use control::Control;
 pub use control::Refused;
+#[cfg(feature = "figures")]
+pub use desktop::figure;
 #[cfg(feature = "desktop")]
 pub use desktop::main;
 pub use explanation::Entry;
 pub use explanation::Explanation;
 pub use explanation::Value;
+#[cfg(feature = "figures")]
+pub use figure::Canvas;
+#[cfg(feature = "figures")]
+pub use figure::Figure;
 pub use frame::Frame;
 pub use frame::Size;
 pub use frame::SizeError;

@@ -37,7 +37,9 @@ const MAX_SAMPLES: usize = 16;
 pub(crate) struct Program {
     pub(crate) name: &'static str,
     pub(crate) concept: &'static str,
-    pub(crate) new: fn() -> Box<dyn Step>,
+    /// How large the picture is unless told otherwise.
+    pub(crate) size: Size,
+    pub(crate) new: Box<dyn Fn() -> Box<dyn Step>>,
 }
 
 impl Program {
@@ -68,7 +70,7 @@ pub(crate) fn run(program: &Program) -> ExitCode {
     if let Err(message) = set(&matches, &mut *step, &mut view) {
         return usage(&message);
     }
-    let size = matches.get_one("size").copied().unwrap_or(Size::DEFAULT);
+    let size = matches.get_one("size").copied().unwrap_or(program.size);
     let samples = matches.get_one("samples").copied().unwrap_or(1);
     if let Some((col, row)) = matches.get_one::<(usize, usize)>("pixel").copied() {
         let (width, height) = (size.width(), size.height());
@@ -181,7 +183,7 @@ fn unknown(name: &str, controls: &[Control<'_>]) -> String {
 }
 
 fn help(program: &Program) -> String {
-    let Program { name, concept, .. } = program;
+    let Program { name, concept, size, .. } = program;
     let mut text = format!(
         "{name}: {concept}
 
@@ -191,7 +193,7 @@ Without options it opens a window; with no display it writes {name}.png.
 
 Options:
   -o, --output FILE       write a PNG, open no window; a name such as a.jpg is refused
-  -s, --size WxH          pixels ({})
+  -s, --size WxH          pixels ({size})
       --camera KIND       {}
       --set NAME=VALUE    set a control, as its slider would; repeatable, applied in order
       --samples N         N×N rays a pixel (1; at most {MAX_SAMPLES})
@@ -202,7 +204,6 @@ Options:
 
 Controls (default):
 ",
-        Size::DEFAULT,
         View::PROJECTIONS.join(" | ")
     );
     let (mut step, mut view) = program.start();

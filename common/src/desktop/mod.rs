@@ -9,6 +9,9 @@ mod window;
 
 use std::process::ExitCode;
 
+#[cfg(feature = "figures")]
+use crate::Figure;
+use crate::Size;
 use crate::Step;
 use command_line::Program;
 
@@ -18,5 +21,17 @@ use command_line::Program;
 /// 0 when all was done, 1 when it failed or a comparison found a difference, 2 for wrong usage, 130
 /// when Ctrl-C or a signal ended it.
 pub fn main<S: Step + Default + 'static>(name: &'static str, concept: &'static str) -> ExitCode {
-    command_line::run(&Program { name, concept, new: || Box::new(S::default()) })
+    let new = Box::new(|| Box::new(S::default()) as Box<dyn Step>);
+    command_line::run(&Program { name, concept, size: Size::DEFAULT, new })
+}
+
+/// What an example's `main` runs: a step's program, for a figure of that step.
+#[cfg(feature = "figures")]
+pub fn figure<L: Step + Clone + Send + 'static>(
+    name: &'static str,
+    concept: &'static str,
+    figure: fn() -> Figure<L>,
+) -> ExitCode {
+    let new = Box::new(move || Box::new(figure()) as Box<dyn Step>);
+    command_line::run(&Program { name, concept, size: figure().size(), new })
 }

@@ -1,0 +1,16 @@
+//! «Tonalização difusa + especular»: the highlight lies on top of the matte sphere.
+use std::process::ExitCode;
+
+use common::Figure;
+use step07_specular::Lesson;
+
+fn figure() -> Figure<Lesson> {
+    Figure::new(Lesson::default(), 2)
+        .controls(&["sphere", "k_d", "k_s", "p", "light.x", "light.y", "light.z", "phong"])
+        .vary("diffuse", |lesson| lesson.scene.terms = [true, true, false])
+        .vary("diffuse + specular", |_| ())
+}
+
+fn main() -> ExitCode {
+    common::figure(env!("CARGO_BIN_NAME"), "Without and with the highlight", figure)
+}

@@ -1,0 +1,31 @@
+//! «Tonalização especular»: k_s makes the highlight brighter, p makes it smaller.
+use std::process::ExitCode;
+
+use common::Figure;
+use common::Vec3;
+use common::View;
+use step07_specular::Lesson;
+
+fn figure() -> Figure<Lesson> {
+    let mut lesson = Lesson::default();
+    lesson.scene.triangles.clear();
+    lesson.scene.spheres[0].surface.center = Vec3::ZERO;
+    let mut figure = Figure::new(lesson, 4)
+        .aspect(1.0)
+        .view(View::new(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, 28.0))
+        .controls(&["k_d", "light.x", "light.y", "light.z", "I", "lights", "phong"]);
+    for k_s in [0.9, 0.6, 0.3] {
+        for p in [10.0, 40.0, 160.0, 640.0] {
+            figure = figure.vary(format!("k_s {k_s}, p {p}"), move |lesson| {
+                lesson.scene.spheres.truncate(1);
+                lesson.scene.spheres[0].material.k_s = k_s;
+                lesson.scene.spheres[0].material.exponent = p;
+            });
+        }
+    }
+    figure
+}
+
+fn main() -> ExitCode {
+    common::figure(env!("CARGO_BIN_NAME"), "Spheres in a grid of k_s and p", figure)
+}
