@@ -9,7 +9,9 @@ pub mod povray;
 
 use std::ffi::OsString;
 use std::fs;
+use std::fs::File;
 use std::io;
+use std::io::BufWriter;
 use std::io::Write;
 use std::path::Path;
 use std::path::PathBuf;
@@ -24,6 +26,9 @@ use common::Step;
 use common::View;
 use common::side_by_side;
 use image::RgbImage;
+use image::codecs::png::CompressionType;
+use image::codecs::png::FilterType;
+use image::codecs::png::PngEncoder;
 
 /// The packages of the steps, in order.
 pub const STEPS: [&str; 7] = [
@@ -135,7 +140,11 @@ pub fn hold_picture(
 ) -> Result<(), String> {
     if updating_snapshots() {
         fs::create_dir_all(path.parent().expect("a file in a folder")).expect("a folder");
-        found.save(path).expect("the snapshot can be written");
+        let file = BufWriter::new(File::create(path).expect("the snapshot can be written"));
+        // Slower than usual, because it is made once and cloned by everybody.
+        let (compression, filter) = (CompressionType::Best, FilterType::Adaptive);
+        let encoder = PngEncoder::new_with_quality(file, compression, filter);
+        found.write_with_encoder(encoder).expect("the snapshot can be written");
         return Ok(());
     }
     let shown = path.strip_prefix(root()).unwrap_or(path).display();
