@@ -6,7 +6,6 @@ use common::Figure;
 use common::Vec3;
 use common::View;
 use step05_diffuse::Lesson;
-use step05_diffuse::light::PointLight;
 
 /// A unit sphere and a light at the distance `r` from its nearest point.
 fn at_distance(lesson: &mut Lesson, r: f32) {
@@ -18,22 +17,20 @@ fn at_distance(lesson: &mut Lesson, r: f32) {
 }
 
 fn figure() -> Figure<Lesson> {
-    let light = PointLight { position: Vec3::ZERO, intensity: 1.0, attenuation: true };
     let mut lesson = Lesson::default();
-    lesson.scene.light = light;
+    lesson.scene.light.intensity = 1.0;
     let figure = Figure::new(lesson, 3)
         .aspect(1.0)
         .view(View::new(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, 30.0))
-        .controls(&["I", "attenuation"]);
+        .controls(&["I"]);
     [1.0, 1.5, 2.0, 3.0, 4.0]
         .into_iter()
         .fold(figure, |figure, r| {
-            let label = format!("r = {r}, I/r² = {:.2}", light.irradiance(r * r));
-            figure.vary(label, move |lesson| at_distance(lesson, r))
+            figure.vary(format!("r = {r}: I/{}", r * r), move |lesson| at_distance(lesson, r))
         })
         .draw("I/r²", |lesson, canvas| {
             let curve = |r: f32| lesson.scene.light.irradiance(r * r);
-            canvas.plot("r", 0.5..4.0, 0.0..4.0, &[(String::new(), curve)]);
+            canvas.plot("r", 0.5..4.0, 0.0..curve(0.5).max(1.0), &[(String::new(), curve)]);
         })
 }
 

@@ -8,7 +8,7 @@ fn figure() -> Figure<Lesson> {
     Figure::new(Lesson::default(), 2)
         .controls(&["epsilon", "lights", "light.x", "light.y", "light.z"])
         .vary("ε = 0", |lesson| lesson.scene.epsilon = 0.0)
-        .vary("ε = 0.001", |_| ())
+        .vary("with ε", |_| ())
 }
 
 fn main() -> ExitCode {

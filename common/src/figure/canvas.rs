@@ -27,8 +27,15 @@ pub struct Canvas<'a> {
     width: usize,
     height: usize,
     rows: Range<usize>,
-    magnification: usize,
+    magnification: f32,
     pixels: Vec<Color>,
+}
+
+/// Width and height of `text` in pixels, when a pixel of the font is `magnification` of them.
+pub(super) fn text_size(magnification: f32, text: &str) -> (usize, usize) {
+    let width = magnification * (GLYPH.0 * text.chars().count()) as f32;
+    let height = magnification * GLYPH.1 as f32;
+    (width.round() as usize, height.round() as usize)
 }
 
 impl<'a> Canvas<'a> {
@@ -36,7 +43,7 @@ impl<'a> Canvas<'a> {
         camera: &'a dyn Camera,
         (width, height): (usize, usize),
         rows: Range<usize>,
-        magnification: usize,
+        magnification: f32,
     ) -> Self {
         let pixels = vec![GROUND; width * rows.len()];
         Self { camera, width, height, rows, magnification, pixels }
@@ -101,7 +108,7 @@ impl<'a> Canvas<'a> {
         thickness: f32,
         color: Color,
     ) {
-        let radius = self.magnification as f32 * thickness / 2.0;
+        let radius = self.magnification * thickness / 2.0;
         let (dx, dy) = (to.0 - from.0, to.1 - from.1);
         let length_squared = (dx * dx + dy * dy).max(f32::MIN_POSITIVE);
         let reach = |a: f32, b: f32, end: usize| {
@@ -125,6 +132,8 @@ impl<'a> Canvas<'a> {
         let (width, height) = self.text_size(text);
         let left = (x - anchor.0 * width as f32).round() as isize;
         let top = (y - anchor.1 * height as f32).round() as isize;
+        let magnification = self.magnification;
+        let in_font = |pixel: usize| (pixel as f32 / magnification) as usize;
         let glyphs_in_row = FONT_10X20.image.size().width as usize / GLYPH.0;
         for row in self.rows.clone() {
             let Some(y) = row.checked_add_signed(-top).filter(|y| *y < height) else { continue };
@@ -132,7 +141,7 @@ impl<'a> Canvas<'a> {
                 let Some(col) = x.checked_add_signed(left).filter(|col| *col < self.width) else {
                     continue;
                 };
-                let (x, y) = (x / self.magnification, y / self.magnification);
+                let (x, y) = (in_font(x), in_font(y));
                 let letter = text.chars().nth(x / GLYPH.0).unwrap_or(' ');
                 let glyph = FONT_10X20.glyph_mapping.index(letter);
                 let point = Point::new(
@@ -147,8 +156,7 @@ impl<'a> Canvas<'a> {
     }
 
     pub(super) fn text_size(&self, text: &str) -> (usize, usize) {
-        let scale = self.magnification;
-        (scale * GLYPH.0 * text.chars().count(), scale * GLYPH.1)
+        text_size(self.magnification, text)
     }
 
     /// Lays `color` over a pixel, as far as `opacity`; does nothing outside the rows.

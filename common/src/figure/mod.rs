@@ -130,11 +130,14 @@ impl<L: Step + Clone> Figure<L> {
         self.panels.len().div_ceil(self.columns)
     }
 
-    /// How many pixels of a picture that is `width` wide are a pixel of the labels' font.
-    fn magnification(&self, width: usize) -> usize {
+    /// How many pixels of a picture that is `width` wide are a pixel of the labels' font: a whole
+    /// number, unless the picture is so small that not even one fits, as drafts are.
+    fn magnification(&self, width: usize) -> f32 {
         let longest = self.panels.iter().map(|panel| panel.label.chars().count()).max();
-        let fits = width / self.columns / (canvas::GLYPH.0 * (longest.unwrap_or(0) + 1));
-        fits.clamp(1, (width / 480).max(1))
+        let letters = self.columns * (longest.unwrap_or(0) + 1);
+        let fits = width as f32 / (canvas::GLYPH.0 * letters) as f32;
+        let magnification = fits.min(width as f32 / 480.0);
+        if magnification > 1.0 { magnification.floor() } else { magnification }
     }
 
     fn place(&self, index: usize, width: usize, height: usize) -> Place {
@@ -142,7 +145,7 @@ impl<L: Step + Clone> Figure<L> {
             return Place { left: 0, top: 0, width, height };
         }
         let margin = width / 480;
-        let label = self.magnification(width) * canvas::GLYPH.1 + 2 * margin;
+        let label = canvas::text_size(self.magnification(width), "").1 + 2 * margin;
         let (cell_width, cell_height) = (width / self.columns, height / self.rows());
         Place {
             left: index % self.columns * cell_width + margin,

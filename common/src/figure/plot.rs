@@ -40,7 +40,7 @@ impl Canvas<'_> {
         curves: &[(String, F)],
     ) {
         let (letter, line) = self.text_size("0");
-        if self.width() < 16 * letter || self.height() < 8 * line {
+        if letter == 0 || self.width() < 16 * letter || self.height() < 8 * line {
             return;
         }
         if let Err(error) = plot(self, x_name, x, y, curves) {
