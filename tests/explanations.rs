@@ -22,8 +22,8 @@ checks!(packages {
     columns_are_aligned_and_lines_short,
 });
 
-const WIDTH: usize = 48;
-const HEIGHT: usize = 27;
+const WIDTH: usize = 32;
+const HEIGHT: usize = 18;
 
 /// The widest line of a terminal in class.
 const LONGEST: usize = 100;
