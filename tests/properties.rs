@@ -6,10 +6,17 @@
 use common::Color;
 use common::Ray;
 use common::Vec3;
+use proptest::arbitrary::any;
 use proptest::collection::vec;
-use proptest::prelude::*;
+use proptest::prop_assert;
+use proptest::prop_assert_eq;
+use proptest::prop_assume;
+use proptest::prop_oneof;
+use proptest::sample::select;
+use proptest::strategy::Strategy;
 use proptest::test_runner::Config;
 use proptest::test_runner::FileFailurePersistence;
+use proptest::test_runner::TestCaseError;
 use proptest::test_runner::TestCaseResult;
 use proptest::test_runner::TestRunner;
 use tests::checks;
@@ -376,7 +383,7 @@ fn extreme() -> impl Strategy<Value = f32> {
     });
     prop_oneof![
         4 => power,
-        1 => prop::sample::select(&[-1e6, -1.0, -1e-6, -0.0, 0.0, 1e-6, 1e-3, 1.0, 1e6][..]),
+        1 => select(&[-1e6, -1.0, -1e-6, -0.0, 0.0, 1e-6, 1e-3, 1.0, 1e6][..]),
         4 => -2.0..2.0_f32,
     ]
 }
@@ -384,7 +391,7 @@ fn extreme() -> impl Strategy<Value = f32> {
 fn extreme_point() -> impl Strategy<Value = Vec3> {
     let any = [extreme(), extreme(), extreme()].prop_map(Vec3::from);
     // So that vertices, centres, lights and viewpoints fall into one, or onto a line or surface.
-    prop_oneof![2 => any, 1 => prop::sample::select(&[Vec3::ZERO, Vec3::ONE, Vec3::X, Vec3::NEG_Y][..])]
+    prop_oneof![2 => any, 1 => select(&[Vec3::ZERO, Vec3::ONE, Vec3::X, Vec3::NEG_Y][..])]
 }
 
 /// Worlds whose coordinates, radii and intensities are [`extreme`], k from 0 to 1 and p from 1 to
