@@ -1,0 +1,546 @@
+//! What the READMEs say is so: links and pictures are there, commands run, controls exist, lines to
+//! be changed are in the code, slides have their titles, and both languages say the same.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+use std::path::PathBuf;
+use std::process::Command;
+use std::process::Output;
+
+use common::Frame;
+use common::Size;
+use pulldown_cmark::CodeBlockKind;
+use pulldown_cmark::Event;
+use pulldown_cmark::HeadingLevel;
+use pulldown_cmark::Options;
+use pulldown_cmark::Parser;
+use pulldown_cmark::Tag;
+use pulldown_cmark::TagEnd;
+use tests::STEPS;
+use tests::hold_picture;
+use tests::program;
+use tests::root;
+use tests::step;
+
+/// A part of a README that can be held to something.
+#[derive(Clone, Debug, PartialEq)]
+enum Part {
+    Heading(HeadingLevel, String),
+    /// The address of a link or of a picture.
+    Link(String),
+    /// A fenced block: its language and its text.
+    Fence(String, String),
+    /// A table's number of columns, then of rows.
+    Table(usize, usize),
+    ListItem,
+    /// `code`
+    Code(String),
+    /// **`code`**, which is how the handouts write a control.
+    Control(String),
+    Text(String),
+    Html(String),
+}
+
+struct Readme {
+    path: PathBuf,
+    parts: Vec<Part>,
+}
+
+impl Readme {
+    fn read(path: &Path) -> Self {
+        let text = fs::read_to_string(root().join(path))
+            .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        Self { path: path.to_owned(), parts: parts(&text) }
+    }
+
+    /// Where it lies, from the root.
+    fn name(&self) -> String {
+        self.path.display().to_string()
+    }
+
+    /// The step that it is the handout of.
+    fn step(&self) -> Option<usize> {
+        let folder = self.path.parent()?;
+        STEPS.iter().position(|step| folder == Path::new(step))
+    }
+
+    /// The parts below the heading `title`.
+    fn section(&self, title: &str) -> &[Part] {
+        let heading = Part::Heading(HeadingLevel::H2, title.to_owned());
+        let start = self.parts.iter().position(|part| *part == heading);
+        let start = start.unwrap_or_else(|| panic!("{} has no «{title}»", self.name()));
+        let below = &self.parts[start + 1..];
+        let end = below.iter().position(|part| matches!(part, Part::Heading(HeadingLevel::H2, _)));
+        &below[..end.unwrap_or(below.len())]
+    }
+
+    /// The text of each fenced block in `language`.
+    fn fences(&self, language: &str) -> impl Iterator<Item = &str> {
+        self.parts.iter().filter_map(move |part| match part {
+            Part::Fence(found, text) if found == language => Some(text.as_str()),
+            _ => None,
+        })
+    }
+
+    fn codes(&self) -> impl Iterator<Item = &str> {
+        self.parts.iter().filter_map(|part| match part {
+            Part::Code(code) | Part::Control(code) => Some(code.as_str()),
+            _ => None,
+        })
+    }
+
+    fn links(&self) -> impl Iterator<Item = &str> {
+        self.parts.iter().filter_map(|part| match part {
+            Part::Link(address) => Some(address.as_str()),
+            _ => None,
+        })
+    }
+}
+
+fn parts(text: &str) -> Vec<Part> {
+    let mut parts = Vec::new();
+    // Everything inside of a heading or of a fence belongs to it.
+    let mut inside = None;
+    let events: Vec<Event<'_>> =
+        Parser::new_ext(text, Options::ENABLE_TABLES | Options::ENABLE_MATH).collect();
+    for (index, event) in events.iter().enumerate() {
+        match event {
+            Event::Start(Tag::Heading { level, .. }) => {
+                inside = Some(Part::Heading(*level, String::new()));
+            }
+            Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(language))) => {
+                inside = Some(Part::Fence(language.to_string(), String::new()));
+            }
+            Event::End(TagEnd::Heading(_) | TagEnd::CodeBlock) => parts.extend(inside.take()),
+            Event::Text(text) | Event::Code(text) if inside.is_some() => match &mut inside {
+                Some(Part::Heading(_, whole) | Part::Fence(_, whole)) => whole.push_str(text),
+                _ => unreachable!("only headings and fences are gathered"),
+            },
+            Event::Text(text) => parts.push(Part::Text(text.to_string())),
+            Event::SoftBreak | Event::End(TagEnd::Paragraph) => {
+                parts.push(Part::Text(" ".to_owned()));
+            }
+            Event::Code(code) => {
+                let around = [index.checked_sub(1), Some(index + 1)];
+                let around = around.map(|index| index.and_then(|index| events.get(index)));
+                parts.push(match around {
+                    [Some(Event::Start(Tag::Strong)), Some(Event::End(TagEnd::Strong))] => {
+                        Part::Control(code.to_string())
+                    }
+                    _ => Part::Code(code.to_string()),
+                });
+            }
+            Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => {
+                parts.push(Part::Link(dest_url.to_string()));
+            }
+            Event::Start(Tag::Table(columns)) => parts.push(Part::Table(columns.len(), 0)),
+            Event::Start(Tag::TableRow) => {
+                let table = parts.iter_mut().rev().find_map(|part| match part {
+                    Part::Table(_, rows) => Some(rows),
+                    _ => None,
+                });
+                *table.expect("a row is in a table") += 1;
+            }
+            Event::Start(Tag::Item) => parts.push(Part::ListItem),
+            Event::Html(html) | Event::InlineHtml(html) => parts.push(Part::Html(html.to_string())),
+            _ => {}
+        }
+    }
+    parts
+}
+
+/// All READMEs: those of the root, of the steps, and of whatever else holds one.
+fn readmes() -> Vec<Readme> {
+    fn collect(folder: &Path, found: &mut Vec<PathBuf>) {
+        for entry in fs::read_dir(folder).expect("the folder can be read").flatten() {
+            let (path, name) = (entry.path(), entry.file_name());
+            let name = name.to_string_lossy();
+            if path.is_dir() && !name.starts_with('.') && name != "target" {
+                collect(&path, found);
+            } else if name.starts_with("README") {
+                found.push(path);
+            }
+        }
+    }
+    let mut paths = Vec::new();
+    collect(root(), &mut paths);
+    paths.sort();
+    let inside = |path: &PathBuf| path.strip_prefix(root()).map(Readme::read);
+    paths.iter().map(|path| inside(path).expect("it was found below the root")).collect()
+}
+
+/// Fails with all that is wrong.
+#[track_caller]
+fn none(wrong: Vec<String>) {
+    assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
+}
+
+#[test]
+fn the_picture_at_the_top_is_the_last_step() {
+    let (step, size) = (step(STEPS.len() - 1), Size::DEFAULT);
+    let camera = step.view().camera(size.aspect());
+    let found = Frame { step: &*step, camera: &*camera, size, samples: 3 }.render();
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let held = hold_picture(&root().join("picture.png"), &found, &[], folder);
+    held.unwrap_or_else(|how| panic!("{how}"));
+}
+
+/// The `#name` that git hosts give a heading.
+fn anchor(heading: &str) -> String {
+    let kept = heading.chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));
+    kept.flat_map(char::to_lowercase).map(|c| if c == ' ' { '-' } else { c }).collect()
+}
+
+#[test]
+fn every_link_and_picture_is_there() {
+    let mut wrong = Vec::new();
+    for readme in readmes() {
+        for link in readme.links().filter(|link| !link.contains("://")) {
+            let (file, name) = link.split_once('#').unwrap_or((link, ""));
+            let folder = readme.path.parent().expect("a file is in a folder");
+            let path = if file.is_empty() { readme.path.clone() } else { folder.join(file) };
+            let has_anchor = || {
+                Readme::read(&path).parts.iter().any(
+                    |part| matches!(part, Part::Heading(_, heading) if anchor(heading) == name),
+                )
+            };
+            if !root().join(&path).exists() || !(name.is_empty() || has_anchor()) {
+                wrong.push(format!("{}: {link} leads nowhere", readme.name()));
+            }
+        }
+        for part in &readme.parts {
+            if let Part::Html(html) = part
+                && (html.contains("src=") || html.contains("href="))
+            {
+                wrong.push(format!("{}: {html} is not Markdown", readme.name()));
+            }
+        }
+    }
+    none(wrong);
+}
+
+#[test]
+fn every_slide_has_a_title_of_the_glossary() {
+    fn titles(parts: &[Part]) -> BTreeSet<String> {
+        let texts = parts.iter().filter_map(|part| match part {
+            Part::Text(text) | Part::Heading(_, text) => Some(text.as_str()),
+            _ => None,
+        });
+        let all: String = texts.collect();
+        let quoted = all.split('«').skip(1).filter_map(|rest| rest.split_once('»'));
+        quoted.map(|(title, _)| title.to_owned()).collect()
+    }
+    let glossary = titles(Readme::read(Path::new("README.md")).section("Glossary"));
+    let mut wrong = Vec::new();
+    for readme in readmes() {
+        for title in titles(&readme.parts).difference(&glossary) {
+            wrong.push(format!("{}: the glossary has no slide «{title}»", readme.name()));
+        }
+    }
+    none(wrong);
+}
+
+/// Commands that are not run: they would change this machine or the files here, or run the tests
+/// inside of the tests.
+const NOT_RUN: &[&str] = &[
+    "UPDATE_SNAPSHOTS=1 cargo test",
+    "cargo bench",
+    "cargo test",
+    "git clone",
+    "git restore",
+    "git switch",
+    "povray",
+    "sudo apt install",
+    "sudo dnf install",
+    "winget install",
+    "xcode-select --install",
+];
+
+/// The commands of a fenced block, without comments.
+fn commands(block: &str) -> impl Iterator<Item = &str> {
+    let lines = block.lines().map(|line| line.split('#').next().unwrap_or(line).trim());
+    lines.filter(|line| !line.is_empty())
+}
+
+/// Runs the built program `name` in `folder`, where it finds no display.
+fn run(name: &str, arguments: &[&str], folder: &Path) -> Output {
+    let mut command = Command::new(program(name));
+    command.args(arguments).current_dir(folder);
+    command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY");
+    command.output().unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+/// A new folder for the files that are written on behalf of `name`.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name.replace(['/', '\\', ' '], "-"));
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("the target folder can be written to");
+    folder
+}
+
+/// The file that a program with these arguments is to write, if any.
+fn file_of(name: &str, arguments: &[&str]) -> Option<String> {
+    let named = arguments.iter().position(|argument| ["-o", "--output"].contains(argument));
+    let silent = ["--pixel", "--compare", "--help", "-h"];
+    match named {
+        Some(index) => Some(arguments[index + 1].to_owned()),
+        None if arguments.iter().any(|argument| silent.contains(argument)) => None,
+        None => Some(format!("{}.png", name.trim_start_matches("examples/"))),
+    }
+}
+
+/// Runs the program `name`, which has to do what it is asked for.
+fn try_program(name: &str, arguments: &[&str], folder: &Path) -> Result<(), String> {
+    let output = run(name, arguments, folder);
+    // Pictures may differ, but what is said of that is asked for.
+    let compared = arguments.contains(&"--compare") && !output.stdout.is_empty();
+    if !(output.status.success() || (compared && output.status.code() == Some(1))) {
+        return Err(String::from_utf8_lossy(&output.stderr).into_owned());
+    }
+    match file_of(name, arguments) {
+        Some(file) if !folder.join(&file).is_file() => Err(format!("{file} was not written")),
+        _ => Ok(()),
+    }
+}
+
+/// Runs one command as `cargo run` would, or checks what it names.
+fn try_command(command: &str, folder: &Path) -> Result<(), String> {
+    let words: Vec<&str> = command.split_whitespace().collect();
+    let exists = |path: &str| root().join(path).exists();
+    match words.as_slice() {
+        ["cargo", "run", "-p", package, rest @ ..] => {
+            let (example, rest) = match rest {
+                ["--example", example, rest @ ..] => (Some(example), rest),
+                rest => (None, rest),
+            };
+            let arguments = match rest {
+                [] => &[],
+                ["--", arguments @ ..] => arguments,
+                _ => return Err("options for cargo that the tests do not know".to_owned()),
+            };
+            let name = match example {
+                Some(example) if exists(&format!("{package}/examples/{example}.rs")) => {
+                    format!("examples/{example}")
+                }
+                None if STEPS.contains(package) => (*package).to_owned(),
+                _ => return Err("there is no such program".to_owned()),
+            };
+            try_program(&name, arguments, folder)
+        }
+        ["git", "diff", "--no-index", paths @ ..] => {
+            match paths.iter().find(|path| !exists(path)) {
+                Some(path) => Err(format!("there is no {path}")),
+                None => Ok(()),
+            }
+        }
+        _ if NOT_RUN.iter().any(|known| command.starts_with(known)) => {
+            let test = words.iter().skip_while(|word| **word != "--test").nth(1);
+            match test {
+                Some(test) if !exists(&format!("tests/{test}.rs")) => {
+                    Err(format!("there is no test {test}"))
+                }
+                _ => Ok(()),
+            }
+        }
+        _ => Err("the tests cannot run this".to_owned()),
+    }
+}
+
+#[test]
+fn every_command_runs() {
+    let mut wrong = Vec::new();
+    for readme in readmes() {
+        let inline = readme
+            .codes()
+            .filter(|code| ["cargo ", "git "].iter().any(|program| code.starts_with(program)));
+        for (index, block) in readme.fences("sh").chain(inline).enumerate() {
+            let folder = folder(&format!("command {} {index}", readme.name()));
+            for command in commands(block) {
+                if let Err(error) = try_command(command, &folder) {
+                    wrong.push(format!("{}: {command}: {error}", readme.name()));
+                }
+            }
+        }
+    }
+    none(wrong);
+}
+
+#[test]
+fn every_setting_changes_the_picture() {
+    let mut wrong = Vec::new();
+    for readme in readmes() {
+        let Some(index) = readme.step() else { continue };
+        let (name, folder) = (STEPS[index], folder(&format!("setting {}", readme.name())));
+        let picture = |arguments: &[&str]| {
+            let arguments = [&["-s", "480x270", "-o", "picture.png"], arguments].concat();
+            try_program(name, &arguments, &folder)?;
+            Ok::<_, String>(fs::read(folder.join("picture.png")).expect("it was written"))
+        };
+        let start = picture(&[]).expect("the step has a picture");
+        for code in readme.codes().filter(|code| code.starts_with("--")) {
+            let arguments: Vec<&str> = code.split_whitespace().collect();
+            // A flag that is only spoken of has no value.
+            if arguments.len() == 1 {
+                continue;
+            }
+            let outcome = match arguments.contains(&"--pixel") {
+                true => try_program(name, &arguments, &folder),
+                false => picture(&arguments).and_then(|changed| match changed == start {
+                    true => Err("the picture stays the same".to_owned()),
+                    false => Ok(()),
+                }),
+            };
+            if let Err(error) = outcome {
+                wrong.push(format!("{}: {code}: {error}", readme.name()));
+            }
+        }
+    }
+    none(wrong);
+}
+
+#[test]
+fn every_control_exists() {
+    let mut wrong = Vec::new();
+    for readme in readmes() {
+        let known: BTreeSet<String> = match readme.step() {
+            Some(index) => controls(index),
+            None => (0..STEPS.len()).flat_map(controls).collect(),
+        };
+        for part in &readme.parts {
+            if let Part::Control(name) = part
+                && !known.contains(name)
+            {
+                wrong.push(format!("{}: there is no control {name}", readme.name()));
+            }
+        }
+    }
+    none(wrong);
+}
+
+#[test]
+fn every_flag_is_in_the_help() {
+    let help = run(STEPS[0], &["--help"], root()).stdout;
+    let help = String::from_utf8(help).expect("the help is text");
+    let mut wrong = Vec::new();
+    for readme in readmes() {
+        // Flags of cargo are spoken of as well.
+        let flags = readme.codes().filter(|code| code.starts_with('-') && *code != "--release");
+        for flag in flags.filter_map(|code| code.split_whitespace().next()) {
+            let mut words = help.split([' ', ',', '\n']);
+            if flag != "--" && !words.any(|word| word == flag) {
+                wrong.push(format!("{}: no step takes {flag}", readme.name()));
+            }
+        }
+    }
+    none(wrong);
+}
+
+/// The names of a step's controls, and of its camera's.
+fn controls(index: usize) -> BTreeSet<String> {
+    let mut step = step(index);
+    let mut view = step.view();
+    let mut controls = step.controls();
+    controls.extend(view.controls());
+    controls.into_iter().map(|control| control.name).collect()
+}
+
+#[test]
+fn every_line_to_be_changed_is_in_the_code() {
+    let mut wrong = Vec::new();
+    for readme in readmes() {
+        for block in readme.fences("diff") {
+            let (file, change) = block
+                .strip_prefix("--- ")
+                .and_then(|block| block.split_once('\n'))
+                .unwrap_or_else(|| panic!("{}: '--- FILE' goes before {block}", readme.name()));
+            let code = fs::read_to_string(root().join(file)).unwrap_or_default();
+            let removed = change.lines().filter_map(|line| line.strip_prefix('-'));
+            let removed: Vec<&str> = removed.collect();
+            let places = code.matches(&format!("\n{}\n", removed.join("\n"))).count();
+            if removed.is_empty() || places != 1 {
+                wrong.push(format!("{}: {places} times in {file}: {block}", readme.name()));
+            }
+        }
+    }
+    none(wrong);
+}
+
+#[test]
+fn every_step_has_a_complete_handout() {
+    let mut wrong = Vec::new();
+    for step in STEPS {
+        let readme = Readme::read(&Path::new(step).join("README.md"));
+        let headings = readme.parts.iter().filter_map(|part| match part {
+            Part::Heading(HeadingLevel::H2, heading) => Some(heading.as_str()),
+            _ => None,
+        });
+        let expected = [
+            "The idea",
+            "The equation",
+            "Before and after",
+            "Try this",
+            "Two traps",
+            "Two questions",
+            "Exercise",
+        ];
+        let headings: Vec<&str> = headings.filter(|heading| expected.contains(heading)).collect();
+        if headings != expected {
+            wrong.push(format!("{step}: the handout has {headings:?} and needs {expected:?}"));
+            continue;
+        }
+        let examples = fs::read_dir(root().join(step).join("examples")).into_iter().flatten();
+        for example in examples.flatten().map(|entry| entry.path()) {
+            let name = example.file_stem().and_then(|name| name.to_str()).expect("a name");
+            let command = format!("cargo run -p {step} --example {name}");
+            if !readme.fences("sh").flat_map(commands).any(|known| known == command) {
+                wrong.push(format!("{step}: the handout does not say `{command}`"));
+            }
+        }
+        let idea = readme.section("The idea").iter().map(|part| match part {
+            Part::Text(text) | Part::Code(text) => text.as_str(),
+            _ => " ",
+        });
+        let words = idea.collect::<String>().split_whitespace().count();
+        let items = readme.section("Try this").iter().filter(|part| **part == Part::ListItem);
+        let folded = readme.section("Two questions").iter().filter(
+            |part| matches!(part, Part::Html(html) if html.trim_start().starts_with("<details>")),
+        );
+        let counts = (items.count(), folded.count());
+        if words >= 150 || counts != (5, 2) {
+            wrong.push(format!("{step}: {words} words of idea, {counts:?} things and questions"));
+        }
+    }
+    none(wrong);
+}
+
+#[test]
+fn both_languages_say_the_same() {
+    let english = Readme::read(Path::new("README.md"));
+    let portuguese = Readme::read(Path::new("README.pt-BR.md"));
+    let shape = |readme: &Readme| -> Vec<Part> {
+        let shape = readme.parts.iter().filter_map(|part| match part {
+            Part::Heading(level, _) => Some(Part::Heading(*level, String::new())),
+            Part::Table(..) | Part::ListItem => Some(part.clone()),
+            Part::Fence(language, text) => {
+                Some(Part::Fence(language.clone(), commands(text).collect::<Vec<_>>().join("\n")))
+            }
+            Part::Link(link) if link.starts_with("README") || link.starts_with('#') => None,
+            Part::Link(_) => Some(part.clone()),
+            _ => None,
+        });
+        shape.collect()
+    };
+    for (english, portuguese) in shape(&english).iter().zip(&shape(&portuguese)) {
+        assert_eq!(english, portuguese);
+    }
+    assert_eq!(shape(&english).len(), shape(&portuguese).len());
+    // The order of words in a sentence is another one.
+    let codes =
+        |readme: &Readme| -> BTreeSet<String> { readme.codes().map(str::to_owned).collect() };
+    let (english, portuguese) = (codes(&english), codes(&portuguese));
+    assert_eq!(
+        english.difference(&portuguese).collect::<Vec<_>>(),
+        portuguese.difference(&english).collect::<Vec<_>>()
+    );
+}
