@@ -27,8 +27,15 @@ pub struct Canvas<'a> {
     width: usize,
     height: usize,
     rows: Range<usize>,
-    magnification: f32,
+    /// How many of the panel's pixels are a pixel of the font.
+    pub(super) magnification: f32,
     pixels: Vec<Color>,
+}
+
+/// The font magnified by `largest` or somewhat less: by a whole number, unless the picture is so
+/// small that not even one fits, as drafts are.
+pub(super) fn magnification(largest: f32) -> f32 {
+    if largest > 1.0 { largest.floor() } else { largest }
 }
 
 /// Width and height of `text` in pixels, when a pixel of the font is `magnification` of them.

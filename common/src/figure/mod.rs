@@ -130,14 +130,12 @@ impl<L: Step + Clone> Figure<L> {
         self.panels.len().div_ceil(self.columns)
     }
 
-    /// How many pixels of a picture that is `width` wide are a pixel of the labels' font: a whole
-    /// number, unless the picture is so small that not even one fits, as drafts are.
+    /// How many pixels of a picture that is `width` wide are a pixel of the labels' font.
     fn magnification(&self, width: usize) -> f32 {
         let longest = self.panels.iter().map(|panel| panel.label.chars().count()).max();
         let letters = self.columns * (longest.unwrap_or(0) + 1);
         let fits = width as f32 / (canvas::GLYPH.0 * letters) as f32;
-        let magnification = fits.min(width as f32 / 480.0);
-        if magnification > 1.0 { magnification.floor() } else { magnification }
+        canvas::magnification(fits.min(width as f32 / 480.0))
     }
 
     fn place(&self, index: usize, width: usize, height: usize) -> Place {

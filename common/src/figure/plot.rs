@@ -18,6 +18,8 @@ use plotters_backend::text_anchor::HPos;
 use plotters_backend::text_anchor::VPos;
 
 use super::Canvas;
+use super::canvas::GLYPH;
+use super::canvas::magnification;
 use crate::Color;
 
 // The eight bits a channel of these colours are linear, as everything is on a canvas.
@@ -26,12 +28,16 @@ const GRID: RGBColor = RGBColor(10, 11, 14);
 const FIRST: Color = Color::new(1.0, 0.45, 0.05);
 const LAST: Color = Color::new(0.05, 0.3, 1.0);
 
+/// A plot's width and height, in letters, are at least these.
+const MIN_LETTERS: usize = 20;
+const MIN_LINES: usize = 8;
+
 /// In how many pieces a curve is drawn.
 const PIECES: u16 = 250;
 
 impl Canvas<'_> {
     /// Fills the panel with a plot: what is along the x axis and its range, the range of the y
-    /// axis, and a name and a function for each curve. Too small a panel stays empty.
+    /// axis, and a name and a function for each curve.
     pub fn plot<F: Fn(f32) -> f32>(
         &mut self,
         x_name: &str,
@@ -39,13 +45,17 @@ impl Canvas<'_> {
         y: Range<f32>,
         curves: &[(String, F)],
     ) {
-        let (letter, line) = self.text_size("0");
-        if letter == 0 || self.width() < 16 * letter || self.height() < 8 * line {
-            return;
-        }
-        if let Err(error) = plot(self, x_name, x, y, curves) {
+        let labels = self.magnification;
+        let wide = self.width() as f32 / (MIN_LETTERS * GLYPH.0) as f32;
+        let high = self.height() as f32 / (MIN_LINES * GLYPH.1) as f32;
+        self.magnification = magnification(wide.min(high)).min(labels);
+        // Without room for a letter there is none for axes.
+        if self.text_size("0").0 > 0
+            && let Err(error) = plot(self, x_name, x, y, curves)
+        {
             self.text((0.5, 0.5), Color::ONE, &error.to_string());
         }
+        self.magnification = labels;
     }
 }
 
