@@ -5,7 +5,6 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use std::path::PathBuf;
-use std::process::Command;
 use std::process::Output;
 
 use common::Frame;
@@ -18,8 +17,8 @@ use pulldown_cmark::Parser;
 use pulldown_cmark::Tag;
 use pulldown_cmark::TagEnd;
 use tests::STEPS;
+use tests::command;
 use tests::hold_picture;
-use tests::program;
 use tests::root;
 use tests::step;
 
@@ -265,10 +264,8 @@ fn commands(block: &str) -> impl Iterator<Item = &str> {
 
 /// Runs the built program `name` in `folder`, where it finds no display.
 fn run(name: &str, arguments: &[&str], folder: &Path) -> Output {
-    let mut command = Command::new(program(name));
-    command.args(arguments).current_dir(folder);
-    command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY");
-    command.output().unwrap_or_else(|error| panic!("{name}: {error}"))
+    let output = command(name, folder).args(arguments).output();
+    output.unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
 /// A new folder for the files that are written on behalf of `name`.
