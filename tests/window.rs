@@ -575,14 +575,15 @@ fn the_display_goes_away() {
 }
 
 #[test]
-fn no_display() {
-    for (folder, display, reason) in [
-        (folder("none"), None, "no display"),
-        (folder("wrong"), Some("nowhere:0"), "the display nowhere:0 does not answer"),
-        (folder("empty"), Some(""), "no display"),
+fn no_window() {
+    for (folder, display, (width, height), reason) in [
+        (folder("none"), None, (64, 36), "no display"),
+        (folder("wrong"), Some(":4711"), (64, 36), "the display :4711 does not answer"),
+        (folder("empty"), Some(""), (64, 36), "no display"),
+        (folder("large"), None, (16385, 2), "one is at most 16384 pixels wide and high"),
     ] {
         let mut command = Command::new(program(STEPS[4]));
-        command.current_dir(&folder).args(["--size", "64x36"]);
+        command.current_dir(&folder).args(["--size", &format!("{width}x{height}")]);
         command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY");
         let output = command.envs(display.map(|name| ("DISPLAY", name))).output();
         let output = output.expect("the step starts");
@@ -592,7 +593,7 @@ fn no_display() {
         assert!(errors.contains(reason) && errors.contains(&name), "{errors}");
         let found = image::open(folder.join(name)).expect("a PNG").into_rgb8();
         let step = step(4);
-        let expected = picture(&*step, &step.view(), 64, 36);
+        let expected = picture(&*step, &step.view(), width, height);
         assert!(Comparison::new(&expected, &found, &[]).is_equal());
     }
 }

@@ -93,7 +93,7 @@ pub(crate) struct Window {
     /// Keys pressed and released, to be dealt with.
     typed: VecDeque<(Key, bool)>,
     /// Whether the mouse button is down.
-    held: bool,
+    pressed: bool,
     /// Notches of the wheel, to be dealt with.
     wheel: f32,
     /// What is on the screen. minifb may read it at any time until it is given other pixels.
@@ -141,7 +141,7 @@ impl Window {
         let (shown, spare) = (Vec::new(), Vec::new());
         let (sent, cost) = (Instant::now(), Duration::ZERO);
         let typed = VecDeque::new();
-        Ok(Self { window, keys, typed, held: false, wheel: 0.0, shown, spare, sent, cost })
+        Ok(Self { window, keys, typed, pressed: false, wheel: 0.0, shown, spare, sent, cost })
     }
 
     /// Shows what `step` shows from `view` until the window is closed.
@@ -174,7 +174,7 @@ impl Window {
             note: None,
             moved: true,
             touched: false,
-            shown: VecDeque::new(),
+            done: VecDeque::new(),
         }
         .run()
     }
@@ -196,7 +196,7 @@ impl Window {
     /// anything else, so only the next look knows where the mouse was then.
     fn keep(&mut self) {
         self.typed.extend(self.keys.try_iter());
-        self.held = self.window.get_mouse_down(MouseButton::Left);
+        self.pressed = self.window.get_mouse_down(MouseButton::Left);
     }
 
     /// minifb keeps the wheel's turns only until it looks again.
@@ -275,8 +275,8 @@ struct Session<'a> {
     moved: bool,
     /// What is on the screen is not all that there is to be shown.
     touched: bool,
-    /// When the pictures of the last second were shown.
-    shown: VecDeque<Instant>,
+    /// When the pictures of the last second were done.
+    done: VecDeque<Instant>,
 }
 
 impl Session<'_> {
@@ -294,7 +294,7 @@ impl Session<'_> {
                 self.drawing.restart(size, self.view.camera(size.aspect()), draft);
             }
             if self.drawing.work(&*self.step) {
-                self.shown.push_back(Instant::now());
+                self.done.push_back(Instant::now());
                 self.touched = true;
             }
             if self.saving && self.drawing.is_complete() {
@@ -341,7 +341,7 @@ impl Session<'_> {
     /// How long the last pass took, how fine it was, and how many there were in a second.
     fn status(&mut self) -> String {
         let second = Duration::from_secs(1);
-        self.shown.retain(|shown| shown.elapsed() < second);
+        self.done.retain(|done| done.elapsed() < second);
         let finished = self.drawing.finished();
         let mut status = format!("{:.1} ms", finished.time.as_secs_f64() * 1e3);
         if finished.grid > 1 {
@@ -351,8 +351,8 @@ impl Session<'_> {
             status.push_str(&format!(", {0}x{0} rays a pixel", finished.samples));
         }
         // Fewer are single changes, no movement.
-        if self.shown.len() >= 10 {
-            status.push_str(&format!(", {}/s", self.shown.len()));
+        if self.done.len() >= 10 {
+            status.push_str(&format!(", {}/s", self.done.len()));
         }
         status
     }
@@ -429,7 +429,7 @@ impl Session<'_> {
             self.view.zoom(ZOOM.powf(notches));
             self.moved = true;
         }
-        let down = self.window.held;
+        let down = self.window.pressed;
         let Some(at) = self.window.window.get_mouse_pos(MouseMode::Pass) else {
             return Ok(());
         };
