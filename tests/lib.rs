@@ -9,9 +9,7 @@ pub mod povray;
 
 use std::ffi::OsString;
 use std::fs;
-use std::fs::File;
 use std::io;
-use std::io::BufWriter;
 use std::io::Write;
 use std::path::Path;
 use std::path::PathBuf;
@@ -139,12 +137,18 @@ pub fn hold_picture(
     folder: &Path,
 ) -> Result<(), String> {
     if updating_snapshots() {
-        fs::create_dir_all(path.parent().expect("a file in a folder")).expect("a folder");
-        let file = BufWriter::new(File::create(path).expect("the snapshot can be written"));
-        // Slower than usual, because it is made once and cloned by everybody.
-        let (compression, filter) = (CompressionType::Best, FilterType::Adaptive);
-        let encoder = PngEncoder::new_with_quality(file, compression, filter);
-        found.write_with_encoder(encoder).expect("the snapshot can be written");
+        if !path.exists() || read_picture(path) != *found {
+            fs::create_dir_all(path.parent().expect("a file in a folder")).expect("a folder");
+            // Slower than usual, because it is made once and cloned by everybody; in one stroke,
+            // because other tests may be reading it.
+            let (compression, filter) = (CompressionType::Best, FilterType::Adaptive);
+            let mut png = Vec::new();
+            let encoder = PngEncoder::new_with_quality(&mut png, compression, filter);
+            found.write_with_encoder(encoder).expect("a PNG");
+            let part = path.with_extension("part");
+            fs::write(&part, png).expect("the snapshot can be written");
+            fs::rename(part, path).expect("the snapshot can be replaced");
+        }
         return Ok(());
     }
     let shown = path.strip_prefix(root()).unwrap_or(path).display();

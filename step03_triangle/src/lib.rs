@@ -41,9 +41,9 @@ impl Lesson {
     pub fn trace(&self, ray: &Ray) -> Color {
         let triangle = Triangle::new(self.vertices);
         let hit = triangle.intersect(ray, 0.0, f32::INFINITY);
-        let weights = hit.and(triangle.solve(ray, 0.0, f32::INFINITY));
+        let solution = hit.and(triangle.solve(ray, 0.0, f32::INFINITY));
         let shown = [Color::ONE, Color::X, Color::Y, Color::Z][self.shown];
-        weights.map_or(Color::ZERO, |(_, weights)| shown * Color::from(weights))
+        solution.map_or(Color::ZERO, |(_, barycentric)| shown * Color::from(barycentric))
     }
 }
 
@@ -53,9 +53,9 @@ impl Step for Lesson {
     }
 
     fn controls(&mut self) -> Vec<Control<'_>> {
-        let weights = &["all", "alpha", "beta", "gamma"];
+        let choices = &["all", "alpha", "beta", "gamma"];
         let [a, b, c] = &mut self.vertices;
-        let mut controls = vec![Control::choice("shown", weights, &mut self.shown)];
+        let mut controls = vec![Control::choice("shown", choices, &mut self.shown)];
         controls.extend(Control::vector("a", -3.0..=3.0, a));
         controls.extend(Control::vector("b", -3.0..=3.0, b));
         controls.extend(Control::vector("c", -3.0..=3.0, c));

@@ -20,7 +20,7 @@ pub struct Object<S: ?Sized> {
     pub surface: S,
 }
 
-/// Objects in a list for each kind of surface, so that the compiler knows what each loop calls.
+/// A list for each kind of surface: once inlined, each loop over one knows what it calls.
 #[derive(Clone, Debug)]
 pub struct Scene {
     /// The spheres.
@@ -31,16 +31,16 @@ pub struct Scene {
     pub background: Color,
 }
 
-/// A hit and what was hit.
+/// A hit and what was hit: an object with any kind of surface.
 pub type Hit<'a> = (IntersectionRecord, &'a Object<dyn Surface>);
 
 impl Scene {
-    /// The hit with the smallest t, if any. Slide «Intersecção de raios em software».
+    /// The hit with the smallest t, the first of equals. Slide «Intersecção de raios em software».
     pub fn intersect<'a>(&'a self, ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit<'a>> {
         let (mut closest, mut t_max) = (None, t_max);
         let mut keep_closest = |object: &'a Object<dyn Surface>| {
             if let Some(record) = object.surface.intersect(ray, t_min, t_max) {
-                t_max = record.t;
+                t_max = record.t; // From now on only closer hits count.
                 closest = Some((record, object));
             }
         };

@@ -1,14 +1,14 @@
 //! Where light comes from.
 use common::Vec3;
 
-/// A light without extent that shines alike in all directions.
+/// A light at a single point, equally bright in all directions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointLight {
-    /// In world units.
+    /// In world units; NaN gives no light.
     pub position: Vec3,
-    /// I, with the BRDF's 1/π folded in.
+    /// I, in no particular unit: it has the 1/π of diffuse reflection in it.
     pub intensity: f32,
-    /// Whether light thins out with distance.
+    /// Whether it weakens with the distance r, as 1/r².
     pub attenuation: bool,
 }
 

@@ -7,7 +7,7 @@ use common::Vec3;
 use crate::intersection::IntersectionRecord;
 use crate::light::PointLight;
 
-/// How much of which light a surface reflects. Slide «Somando as contribuições».
+/// The share of each kind of light that a surface reflects. Slide «Somando as contribuições».
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
     /// The diffuse share.
@@ -17,13 +17,13 @@ pub struct Material {
 /// Reflected light, and what it was made from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shading {
-    /// The unit normal on the viewer's side.
+    /// The record's normal or, if that is the viewer's side, its opposite.
     pub n: Vec3,
     /// The unit vector to the light.
     pub l: Vec3,
     /// The squared distance to the light, 10⁻⁶ at least: a light may lie on a surface.
     pub r_squared: f32,
-    /// I/r²
+    /// I/r², or I without attenuation.
     pub irradiance: f32,
     /// The cosine of the angle between n and l.
     pub n_dot_l: f32,
@@ -32,10 +32,10 @@ pub struct Shading {
 }
 
 impl Material {
-    /// What of `light` the hit sends back along `ray`. Slide «Reflexão Lambertiana».
+    /// The part of `light` that the hit reflects back along `ray`. Slide «Reflexão Lambertiana».
     #[inline]
     pub fn shade(&self, ray: &Ray, record: &IntersectionRecord, light: &PointLight) -> Shading {
-        let n = -record.normal.dot(ray.direction).signum() * record.normal;
+        let n = if record.normal.dot(ray.direction) > 0.0 { -record.normal } else { record.normal };
         let to_light = light.position - record.point;
         let r_squared = to_light.length_squared().max(1e-6);
         let l = to_light / r_squared.sqrt();

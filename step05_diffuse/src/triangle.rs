@@ -7,7 +7,7 @@ use crate::intersection::IntersectionRecord;
 use crate::intersection::Surface;
 
 /// All points α a + β b + γ c with α + β + γ = 1, none negative. Slide «Coordenadas baricêntricas».
-/// It has two sides and the normal (b − a) × (c − a), normalised. Without area it is never hit.
+/// Two-sided, with (b − a) × (c − a), normalised, as normal; without area, or with NaN, never hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Triangle {
     a: Vec3,
@@ -29,16 +29,16 @@ impl Triangle {
     #[inline]
     pub fn solve(&self, ray: &Ray, t_min: f32, t_max: f32) -> Option<(f32, [f32; 3])> {
         // [a−b a−c d] (β γ t)ᵀ = a − p, by Cramer's rule with |x y z| = (x × y)·z:
-        // t = |a−b a−c a−p| / |a−b a−c d|,
+        // t = |a−b a−c a−p| / |a−b a−c d|, ±∞ or NaN if parallel, and NaN fails every comparison;
         let a_minus_p = self.a - ray.origin;
         let determinant = self.cross.dot(ray.direction);
         let t = self.cross.dot(a_minus_p) / determinant;
         if !(t_min < t && t < t_max) {
             return None;
         }
-        // β = |a−p a−c d| / |a−b a−c d|, γ = |a−b a−p d| / |a−b a−c d|
-        let d_cross = ray.direction.cross(a_minus_p) / determinant;
-        let (beta, gamma) = (self.a_minus_c.dot(d_cross), -self.a_minus_b.dot(d_cross));
+        // β = |a−p a−c d| / |a−b a−c d| = (a−c)·w, γ = |a−b a−p d| / |a−b a−c d| = −(a−b)·w
+        let w = ray.direction.cross(a_minus_p) / determinant;
+        let (beta, gamma) = (self.a_minus_c.dot(w), -self.a_minus_b.dot(w));
         Some((t, [1.0 - beta - gamma, beta, gamma]))
     }
 }
@@ -48,8 +48,8 @@ impl Surface for Triangle {
     #[inline]
     fn intersect(&self, ray: &Ray, t_min: f32, t_max: f32) -> Option<IntersectionRecord> {
         let (t, barycentric) = self.solve(ray, t_min, t_max)?;
-        // α, β, γ ≥ 0: edges count, so that no ray slips through between two triangles.
         let record = IntersectionRecord { t, point: ray.at(t), normal: self.normal };
+        // α, β, γ ≥ 0, where the slide has > 0: an edge must not be a gap between two triangles.
         barycentric.iter().all(|weight| *weight >= 0.0).then_some(record)
     }
 

@@ -8,7 +8,7 @@ use crate::intersection::Surface;
 
 /// All points at the distance `radius` from `center`. Its normals point outwards.
 ///
-/// The sign of `radius` does not matter; radius 0 leaves a point.
+/// The sign of `radius` does not matter, radius 0 leaves a point, and NaN is never hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
     /// In world units.
@@ -17,7 +17,7 @@ pub struct Sphere {
     pub radius: f32,
 }
 
-/// a t² + 2 b t + c = 0: the t for which r(t) lies on a sphere.
+/// a t² + 2 b t + c = 0 where r(t) is on a sphere; thanks to the 2 there is no 4 in b² − a c.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quadratic {
     /// d·d
@@ -43,14 +43,14 @@ impl Quadratic {
 }
 
 impl Sphere {
-    /// The equation for `ray` to hit this sphere. Slide «Intersecção entre raio e esfera».
+    /// Slide «Intersecção entre raio e esfera», with o = p − center for p and radius² for 1.
     #[inline]
     pub fn quadratic(&self, ray: &Ray) -> Quadratic {
         let (d, o) = (ray.direction, ray.origin - self.center);
         let (a, b) = (d.dot(d), d.dot(o));
         let radius_squared = self.radius * self.radius;
         // Far away b² and a c are large and nearly equal. With q = o − b (d/a), which leads from
-        // the centre to the nearest point of the line, b² − a c = a (radius² − q·q): no loss.
+        // the centre to the nearest point of the line, b² − a c = a (radius² − q·q): little loss.
         let q = o - b * (d / a);
         let discriminant = a * (radius_squared - q.dot(q));
         Quadratic { a, b, c: o.dot(o) - radius_squared, discriminant }

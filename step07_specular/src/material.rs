@@ -7,29 +7,29 @@ use common::Vec3;
 use crate::intersection::IntersectionRecord;
 use crate::light::PointLight;
 
-/// How much of which light a surface reflects. Slide «Somando as contribuições».
+/// The share of each kind of light that a surface reflects. Slide «Somando as contribuições».
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
     /// The ambient share.
     pub k_a: Color,
     /// The diffuse share.
     pub k_d: Color,
-    /// The specular share.
+    /// The specular share, alike in all channels: highlights have the light's colour.
     pub k_s: f32,
-    /// p: the larger, the smaller the highlight.
+    /// The exponent p: the larger, the smaller the highlight.
     pub exponent: f32,
 }
 
 /// Reflected light, and what it was made from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shading {
-    /// The unit normal on the viewer's side.
+    /// The record's normal or, if that is the viewer's side, its opposite.
     pub n: Vec3,
     /// The unit vector to the light.
     pub l: Vec3,
     /// The squared distance to the light, 10⁻⁶ at least: a light may lie on a surface.
     pub r_squared: f32,
-    /// I/r²
+    /// I/r², or I without attenuation.
     pub irradiance: f32,
     /// The cosine of the angle between n and l.
     pub n_dot_l: f32,
@@ -41,22 +41,21 @@ pub struct Shading {
     pub h: Vec3,
     /// n·h; for Phong v_r·v.
     pub cos_alpha: f32,
-    /// max(0, cos α)^p
+    /// max(0, cos α)^p; 0 unless k_s > 0 and n·l > 0.
     pub highlight: f32,
     /// The specular light.
     pub l_s: f32,
 }
 
-/// v_r = d − 2 (d·n) n: where `d` goes on from a mirror with the unit normal `n`.
-/// Slide «Reflexão».
+/// v_r = d − 2 (d·n) n, the mirror direction of `d` at the unit normal `n`. Slide «Reflexão».
 #[inline]
 pub fn reflect(d: Vec3, n: Vec3) -> Vec3 {
     d - 2.0 * d.dot(n) * n
 }
 
 impl Material {
-    /// What of `light` the hit sends back along `ray`. Slides «Reflexão Lambertiana» and
-    /// «Modelo Blinn-Phong».
+    /// The part of `light` that the hit reflects back along `ray`. Slides «Reflexão Lambertiana»
+    /// and «Modelo Blinn-Phong».
     #[inline]
     pub fn shade(
         &self,
@@ -65,7 +64,7 @@ impl Material {
         light: &PointLight,
         phong: bool,
     ) -> Shading {
-        let n = -record.normal.dot(ray.direction).signum() * record.normal;
+        let n = if record.normal.dot(ray.direction) > 0.0 { -record.normal } else { record.normal };
         let to_light = light.position - record.point;
         let r_squared = to_light.length_squared().max(1e-6);
         let l = to_light / r_squared.sqrt();
@@ -73,12 +72,12 @@ impl Material {
         // L_d = k_d (I/r²) max(0, n·l)
         let n_dot_l = n.dot(l);
         let l_d = self.k_d * irradiance * n_dot_l.max(0.0);
-        // L_s = k_s (I/r²) max(0, cos α)^p
+        // L_s = k_s (I/r²) max(0, cos α)^p; more than the slide says: none where n·l ≤ 0
         let v = -ray.direction.normalize();
         let h = if phong { reflect(-l, n) } else { (v + l).normalize_or_zero() };
         let cos_alpha = if phong { h.dot(v) } else { n.dot(h) };
-        let lit = n_dot_l > 0.0 && self.k_s > 0.0;
-        let highlight = if lit { cos_alpha.max(0.0).powf(self.exponent) } else { 0.0 };
+        let shines = self.k_s > 0.0 && n_dot_l > 0.0;
+        let highlight = if shines { cos_alpha.max(0.0).powf(self.exponent) } else { 0.0 };
         let l_s = self.k_s * irradiance * highlight;
         Shading { n, l, r_squared, irradiance, n_dot_l, l_d, v, h, cos_alpha, highlight, l_s }
     }
@@ -96,7 +95,7 @@ impl Shading {
         explanation.line("v", self.v);
         explanation.line("h = (v + l) / |v + l|, Phong: v_r", self.h);
         explanation.line("cos α = n·h, Phong: v_r·v", self.cos_alpha);
-        explanation.line("max(0, cos α)^p", self.highlight);
+        explanation.line("max(0, cos α)^p, if k_s, n·l > 0", self.highlight);
         explanation.line("L_s = k_s (I/r²) max(0, cos α)^p", self.l_s);
     }
 }

@@ -22,7 +22,7 @@ pub struct Object<S: ?Sized> {
     pub surface: S,
 }
 
-/// Objects in a list for each kind of surface, so that the compiler knows what each loop calls.
+/// A list for each kind of surface: once inlined, each loop over one knows what it calls.
 #[derive(Clone, Debug)]
 pub struct Scene {
     /// The spheres.
@@ -35,30 +35,30 @@ pub struct Scene {
     pub lights: Vec<PointLight>,
     /// How many of the lights are lit.
     pub lit: usize,
-    /// I of a dim light at the camera.
+    /// I of a dim light at the origin of each viewing ray: in perspective, the camera.
     pub camera_light: f32,
     /// I_a, the light from everywhere.
     pub ambient: f32,
-    /// Whether objects throw shadows.
+    /// Whether objects cast shadows.
     pub shadows: bool,
-    /// ε: where shadow rays begin, as a share of the way to the light.
+    /// ε: the t at which shadow rays begin, lest rounding let a surface shadow itself.
     pub epsilon: f32,
-    /// Whether highlights are Phong's.
+    /// Whether cos α is Phong's v_r·v instead of Blinn-Phong's n·h.
     pub phong: bool,
-    /// Whether the sum has L_a, L_d and L_s.
+    /// Which of L_a, L_d and L_s are summed.
     pub terms: [bool; 3],
 }
 
-/// A hit and what was hit.
+/// A hit and what was hit: an object with any kind of surface.
 pub type Hit<'a> = (IntersectionRecord, &'a Object<dyn Surface>);
 
 impl Scene {
-    /// The hit with the smallest t, if any. Slide «Intersecção de raios em software».
+    /// The hit with the smallest t, the first of equals. Slide «Intersecção de raios em software».
     pub fn intersect<'a>(&'a self, ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit<'a>> {
         let (mut closest, mut t_max) = (None, t_max);
         let mut keep_closest = |object: &'a Object<dyn Surface>| {
             if let Some(record) = object.surface.intersect(ray, t_min, t_max) {
-                t_max = record.t;
+                t_max = record.t; // From now on only closer hits count.
                 closest = Some((record, object));
             }
         };
@@ -67,7 +67,7 @@ impl Scene {
         closest
     }
 
-    /// Any object that is hit with t_min < t < t_max; `None` when there is none.
+    /// Any object hit with t_min < t < t_max, not always the first: one is enough for a shadow.
     pub fn blocker(&self, ray: &Ray, t_min: f32, t_max: f32) -> Option<&Object<dyn Surface>> {
         let hit = |surface: &dyn Surface| surface.intersect(ray, t_min, t_max).is_some();
         let sphere = self.spheres.iter().find(|sphere| hit(&sphere.surface));
@@ -84,28 +84,28 @@ impl Scene {
     }
 
     /// The lights that are lit, the one at the camera last.
-    fn lights(&self, ray: &Ray) -> impl Iterator<Item = PointLight> {
+    fn lit_lights(&self, ray: &Ray) -> impl Iterator<Item = PointLight> {
         let (position, intensity) = (ray.origin, self.camera_light);
         let camera_light = PointLight { position, intensity, attenuation: true };
         let lit = self.lights.iter().take(self.lit).copied();
         lit.chain((intensity > 0.0).then_some(camera_light))
     }
 
-    /// What stands between `point` and `light`. Slide «Sombras».
+    /// What stands between `point` (t = 0) and `light` (t = 1). Slide «Sombras».
     fn shadow(&self, point: Vec3, light: &PointLight) -> Option<&Object<dyn Surface>> {
         let shadow_ray = Ray::new(point, light.position - point);
         if self.shadows { self.blocker(&shadow_ray, self.epsilon, 1.0) } else { None }
     }
 
-    /// The sum over all lights. Slides «Múltiplas luzes» and «Illuminação ambiente».
+    /// L_a and the sum over all lights. Slides «Múltiplas luzes» and «Illuminação ambiente».
     fn reflected(&self, ray: &Ray, record: &IntersectionRecord, material: &Material) -> Color {
-        let [l_a, l_d, l_s] = self.terms;
-        let mut result = if l_a { material.k_a * self.ambient } else { Color::ZERO };
-        for light in self.lights(ray) {
+        let [with_a, with_d, with_s] = self.terms;
+        let mut result = if with_a { material.k_a * self.ambient } else { Color::ZERO };
+        for light in self.lit_lights(ray) {
             if self.shadow(record.point, &light).is_none() {
                 let shading = material.shade(ray, record, &light, self.phong);
-                result += if l_d { shading.l_d } else { Color::ZERO };
-                result += if l_s { shading.l_s } else { 0.0 };
+                result += if with_d { shading.l_d } else { Color::ZERO };
+                result += if with_s { shading.l_s } else { 0.0 };
             }
         }
         result
@@ -120,11 +120,11 @@ impl Scene {
         object.surface.explain(ray, explanation);
         explanation.line("k_d", object.material.k_d);
         explanation.line("k_s", object.material.k_s);
-        explanation.line("p", object.material.exponent);
+        explanation.line("exponent p", object.material.exponent);
         explanation.line("L_a = k_a I_a", object.material.k_a * self.ambient);
-        for light in self.lights(ray) {
+        for light in self.lit_lights(ray) {
             let blocker = self.shadow(record.point, &light);
-            explanation.heading("light");
+            explanation.heading(if blocker.is_none() { "light" } else { "light, blocked" });
             explanation.line("position", light.position);
             explanation.line("I", light.intensity);
             explanation.line("blocked by", blocker.map_or("nothing", |object| object.name));
