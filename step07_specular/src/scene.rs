@@ -70,9 +70,10 @@ impl Scene {
     /// Any object hit with t_min < t < t_max, not always the first: one is enough for a shadow.
     pub fn blocker(&self, ray: &Ray, t_min: f32, t_max: f32) -> Option<&Object<dyn Surface>> {
         let hit = |surface: &dyn Surface| surface.intersect(ray, t_min, t_max).is_some();
-        let sphere = self.spheres.iter().find(|sphere| hit(&sphere.surface));
-        let triangle = || self.triangles.iter().find(|triangle| hit(&triangle.surface));
-        sphere.map(|sphere| sphere as _).or_else(|| triangle().map(|triangle| triangle as _))
+        match self.spheres.iter().find(|sphere| hit(&sphere.surface)) {
+            Some(sphere) => Some(sphere),
+            None => Some(self.triangles.iter().find(|triangle| hit(&triangle.surface))?),
+        }
     }
 
     /// The colour seen along `ray`. Slides «Imagen obtida até o momento».
