@@ -113,8 +113,14 @@ pub(crate) fn save_new_png(picture: &RgbImage, stem: &str) -> Result<PathBuf> {
     let mut number = 1;
     loop {
         let path = PathBuf::from(format!("{stem}-{number}.png"));
+        number += 1;
+        // Looked for before the picture is written, which takes longer.
+        if fs::symlink_metadata(&path).is_ok() {
+            continue;
+        }
         match put(picture, &path, name_new) {
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => number += 1,
+            // Somebody else was faster.
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
             Err(error) => return Err(unwritable(&path, &error)),
             Ok(()) => return Ok(path),
         }
@@ -124,7 +130,11 @@ pub(crate) fn save_new_png(picture: &RgbImage, stem: &str) -> Result<PathBuf> {
 /// Gives the file `part` the name `path`, unless there is such a file.
 fn name_new(part: &Path, path: &Path) -> io::Result<()> {
     match fs::hard_link(part, path) {
-        Ok(()) => fs::remove_file(part),
+        Ok(()) => {
+            // The picture has its name, whatever becomes of the other one.
+            let _ = fs::remove_file(part);
+            Ok(())
+        }
         Err(error) if error.kind() == io::ErrorKind::AlreadyExists => Err(error),
         // Some file systems, such as a USB stick's, have no links.
         Err(_) if path.exists() => Err(io::ErrorKind::AlreadyExists.into()),
