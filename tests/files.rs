@@ -26,6 +26,7 @@ use tests::command;
 use tests::files;
 use tests::only_line;
 use tests::picture;
+use tests::say;
 use tests::step;
 
 const STEP: &str = STEPS[6];
@@ -248,8 +249,24 @@ mod ended {
 
     const ARGUMENTS: [&str; 4] = ["-s", "1200x900", "-o", "old.png"];
 
+    /// Whether these tests were started with a signal ignored, as after `nohup` or in a script's
+    /// background. The programs that they start then ignore it too, and no shell can change that.
+    fn is_ignored(signal: &str) -> bool {
+        let script = r#"trap "exit 1" "$0"; kill -s "$0" $$"#;
+        Command::new("sh").args(["-c", script, signal]).status().expect("sh runs").success()
+    }
+
+    /// It may have ended before.
+    fn send(signal: &str, child: &Child) {
+        let kill = format!("kill -{signal} {}", child.id());
+        let _ = Command::new("sh").args(["-c", &kill]).stderr(Stdio::null()).status();
+    }
+
     /// Sends `signal` at each moment, and gives the folder and the exit status to `check`.
     fn at_all_moments(signal: &str, check: impl Fn(&Path, Option<i32>)) {
+        if signal != "KILL" && ["INT", "TERM", "HUP"].into_iter().any(is_ignored) {
+            return say("not tested: what a signal does, because these tests ignore one");
+        }
         let whole = folder();
         let start = Instant::now();
         assert_eq!(run(whole.path(), &ARGUMENTS).status.code(), Some(0));
@@ -275,9 +292,7 @@ mod ended {
                     }
                 }
             }
-            let kill = format!("kill -{signal} {}", child.id());
-            // It may have ended before.
-            let _ = Command::new("sh").args(["-c", &kill]).stderr(Stdio::null()).status();
+            send(signal, &child);
             assert!(ends(&mut child), "SIG{signal} does not end it");
             let status = child.wait().expect("it ended").code();
             let found = fs::read(folder.path().join("old.png")).expect("it is there");
@@ -306,6 +321,24 @@ mod ended {
     #[test]
     fn a_program_whose_terminal_was_closed_leaves_the_old_file_or_the_new_one() {
         at_all_moments("HUP", assert_tidy);
+    }
+
+    /// As after `nohup`.
+    #[test]
+    fn a_program_that_was_started_to_outlive_its_terminal_does() {
+        let folder = folder();
+        let program = command(STEP, folder.path());
+        let script = r#"trap "" HUP; echo; exec "$0" "$@""#;
+        let mut shell = Command::new("sh");
+        shell.current_dir(folder.path()).args(["-c", script]).arg(program.get_program());
+        shell.args(ARGUMENTS).stdout(Stdio::piped()).stderr(Stdio::null());
+        let mut child = shell.spawn().expect("sh runs");
+        child.stdout.take().expect("a pipe").read_exact(&mut [0]).expect("it has begun");
+        while child.try_wait().expect("it is a child").is_none() {
+            send("HUP", &child);
+        }
+        assert_eq!(child.wait().expect("it ended").code(), Some(0));
+        assert_eq!(open(folder.path().join("old.png")), expected(6, 1200, 900));
     }
 
     #[test]

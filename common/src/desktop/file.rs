@@ -35,6 +35,8 @@ fn unfinished() -> MutexGuard<'static, Option<PathBuf>> {
 }
 
 /// From now on SIGINT, SIGTERM and SIGHUP end the program at once and leave no unfinished file.
+///
+/// If one of them is already ignored, as after `nohup`, all of them are left as they are.
 pub(crate) fn remove_unfinished_on_signal() -> Result<()> {
     let end = || {
         // Held until the end, so that no file appears after the last one was removed.
@@ -44,7 +46,10 @@ pub(crate) fn remove_unfinished_on_signal() -> Result<()> {
         }
         std::process::exit(130);
     };
-    ctrlc::set_handler(end).context("cannot listen for Ctrl-C")
+    match ctrlc::try_set_handler(end) {
+        Ok(()) | Err(ctrlc::Error::MultipleHandlers) => Ok(()),
+        Err(error) => Err(error).context("cannot listen for Ctrl-C"),
+    }
 }
 
 /// Whether two names are of the same file.
