@@ -192,6 +192,36 @@ fn a_link_stays_a_link() {
     assert_eq!(files(folder.path()), ["link.png", "old.png"]);
 }
 
+#[cfg(unix)]
+#[test]
+fn a_link_to_a_file_that_is_not_there_yet_stays_a_link() {
+    use std::os::unix::fs::symlink;
+
+    let folder = folder();
+    fs::create_dir(folder.path().join("a")).expect("created");
+    symlink("a/b.png", folder.path().join("1.png")).expect("linked");
+    symlink("../new.png", folder.path().join("a/b.png")).expect("linked");
+    assert_eq!(run(folder.path(), &["-s", "16x9", "-o", "1.png"]).status.code(), Some(0));
+    assert_eq!(open(folder.path().join("new.png")), expected(6, 16, 9));
+    assert_eq!(files(folder.path()), ["1.png", "a", "new.png", "old.png"]);
+    assert!(folder.path().join("1.png").is_symlink() && folder.path().join("a/b.png").is_symlink());
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_keeps_its_permissions() {
+    use std::os::unix::fs::PermissionsExt;
+
+    let folder = folder();
+    let old = folder.path().join("old.png");
+    for mode in [0o600, 0o640, 0o666] {
+        fs::set_permissions(&old, fs::Permissions::from_mode(mode)).expect("set");
+        assert_eq!(run(folder.path(), &["-s", "16x9", "-o", "old.png"]).status.code(), Some(0));
+        let found = fs::metadata(&old).expect("it is there").permissions().mode() & 0o777;
+        assert_eq!(found, mode, "{found:o} instead of {mode:o}");
+    }
+}
+
 /// What stands in for a full disk: no file may grow beyond some kilobytes.
 #[cfg(unix)]
 #[test]

@@ -98,11 +98,19 @@ pub(crate) fn save_png(picture: &RgbImage, path: &Path) -> Result<()> {
         Ok(metadata) if !metadata.is_file() => {
             File::options().write(true).open(path).and_then(|file| write_png(picture, file))
         }
-        // Through a link, so that it is the file that is replaced and the link stays.
-        Ok(_) => fs::canonicalize(path).and_then(|path| replace(picture, &path)),
-        Err(_) => replace(picture, path),
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => replace(picture, &behind_links(path)),
     };
     written.map_err(|error| unwritable(path, &error))
+}
+
+/// Where links lead, even if there is no file yet, so that it is written and the links stay.
+fn behind_links(path: &Path) -> PathBuf {
+    let mut path = path.to_owned();
+    while let Ok(target) = fs::read_link(&path) {
+        path = path.parent().unwrap_or(Path::new("")).join(target);
+    }
+    path
 }
 
 fn unwritable(path: &Path, error: &io::Error) -> anyhow::Error {
@@ -147,8 +155,14 @@ fn name_new(part: &Path, path: &Path) -> io::Result<()> {
     }
 }
 
+/// Puts `picture` in the place of the file `path`, if there is one, for the same people to see.
 fn replace(picture: &RgbImage, path: &Path) -> io::Result<()> {
-    put(picture, path, |part, path| fs::rename(part, path))
+    put(picture, path, |part, path| {
+        if let Ok(old) = fs::metadata(path) {
+            fs::set_permissions(part, old.permissions())?;
+        }
+        fs::rename(part, path)
+    })
 }
 
 /// Writes all of `picture` under another name in the same folder, which `name` then changes to
