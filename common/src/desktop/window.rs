@@ -51,6 +51,7 @@ pub(crate) const KEYS: &[(&str, &str)] = &[
 ];
 
 const HINT: &str = "Up/Down select  Left/Right change  F1 all keys  Space hide";
+const SAVING: &str = "to be saved when complete  Esc quit";
 
 /// From one picture to the next while something is being changed, the work of the window system
 /// included: 40 a second.
@@ -265,7 +266,8 @@ struct Session<'a> {
     /// Shift is down.
     fine: bool,
     active: bool,
-    /// The picture is to be saved as soon as it is complete; until then further input waits.
+    /// The picture is to be saved as soon as it is complete; until then further input waits, but
+    /// for Escape.
     saving: bool,
     /// The pixel that was explained last, as a part of the width and of the height.
     marked: Option<(f32, f32)>,
@@ -321,12 +323,13 @@ impl Session<'_> {
     fn send(&mut self) -> Result<()> {
         let status = self.status();
         let size = self.drawing.size();
+        let hint = if self.saving { SAVING } else { self.note.as_deref().unwrap_or(HINT) };
         let Self { program, step, view, overlay, marked, .. } = self;
         let caption = Caption {
             name: program.name,
             concept: program.concept,
             status: &status,
-            hint: self.note.as_deref().unwrap_or(HINT),
+            hint,
             keys: KEYS,
         };
         self.window.send(size, self.drawing.pixels(), |pixels| {
@@ -364,9 +367,11 @@ impl Session<'_> {
             // Who leaves by Alt+Shift+Tab lets go of Shift elsewhere.
             self.fine = false;
         }
-        if !self.saving {
-            self.mouse()?;
+        if self.saving {
+            let quit = self.window.typed.contains(&(Key::Escape, true));
+            return Ok(if quit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) });
         }
+        self.mouse()?;
         while !self.saving {
             match self.window.typed.pop_front() {
                 Some((Key::Escape, true)) => return Ok(ControlFlow::Break(())),
