@@ -1,7 +1,9 @@
+use std::sync::Once;
 use std::time::Duration;
 use std::time::Instant;
 
 use indicatif::ProgressBar;
+use indicatif::ProgressDrawTarget;
 use indicatif::ProgressStyle;
 
 /// A bar on a terminal's standard error for work that takes more than half a second; nothing on a
@@ -9,24 +11,24 @@ use indicatif::ProgressStyle;
 pub(crate) struct Progress {
     start: Instant,
     bar: ProgressBar,
+    shown: Once,
 }
 
 impl Progress {
     pub(crate) fn new(rows: usize) -> Self {
-        let bar = ProgressBar::new(rows as u64);
+        let bar = ProgressBar::with_draw_target(Some(rows as u64), ProgressDrawTarget::hidden());
         let template = "{bar:40} {percent:>3} %  {elapsed} elapsed, {eta} to go";
         if let Ok(style) = ProgressStyle::with_template(template) {
             bar.set_style(style);
         }
-        bar.set_draw_target(indicatif::ProgressDrawTarget::hidden());
-        Self { start: Instant::now(), bar }
+        Self { start: Instant::now(), bar, shown: Once::new() }
     }
 
     /// Counts `rows` more as done.
     pub(crate) fn add(&self, rows: usize) {
         self.bar.inc(rows as u64);
-        if self.bar.is_hidden() && self.start.elapsed() > Duration::from_millis(500) {
-            self.bar.set_draw_target(indicatif::ProgressDrawTarget::stderr());
+        if self.start.elapsed() > Duration::from_millis(500) {
+            self.shown.call_once(|| self.bar.set_draw_target(ProgressDrawTarget::stderr()));
         }
     }
 
