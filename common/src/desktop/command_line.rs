@@ -51,6 +51,15 @@ impl Program {
     }
 }
 
+/// What is to be made, and how.
+pub(crate) struct Job<'a> {
+    pub(crate) program: &'a Program,
+    pub(crate) step: Box<dyn Step>,
+    pub(crate) view: View,
+    pub(crate) size: Size,
+    pub(crate) samples: usize,
+}
+
 /// All controls: the step's, then the camera's.
 pub(crate) fn controls<'a>(step: &'a mut dyn Step, view: &'a mut View) -> Vec<Control<'a>> {
     let mut controls = step.controls();
@@ -84,21 +93,22 @@ pub(crate) fn run(program: &Program) -> ExitCode {
         let explanation = step.explain(&*camera, Pixel { col, row, width, height });
         return status(print(&explanation.to_string()).map(|()| true));
     }
+    let job = Job { program, step, view, size, samples };
     let output = matches.get_one::<PathBuf>("output");
     if let Some(expected) = matches.get_one::<PathBuf>("compare") {
         if output.is_some_and(|output| file::is_same(output, expected)) {
             return usage("--output names the file to compare, which would be overwritten");
         }
-        return status(compare(program, &*step, &view, size, samples, expected, output));
+        return status(job.compare(expected, output));
     }
     let written = match output {
-        Some(path) => write(program, &*step, &view, size, samples, path),
+        Some(path) => job.write(path),
         None => match window::Window::open(program, size) {
-            Ok(window) => window.run(program, step, view, samples),
+            Ok(window) => window.run(job),
             Err(error) => {
                 let path = PathBuf::from(format!("{}.png", program.name));
                 report(program, &format!("no window ({error}), so the picture goes to a file"));
-                write(program, &*step, &view, size, samples, &path)
+                job.write(&path)
             }
         },
     };
@@ -218,61 +228,54 @@ Controls (default):
     text
 }
 
-fn write(
-    program: &Program,
-    step: &dyn Step,
-    view: &View,
-    size: Size,
-    samples: usize,
-    path: &Path,
-) -> Result<()> {
-    file::remove_unfinished_on_signal()?;
-    file::check_destination(path)?;
-    let (picture, time) = render(step, view, size, samples);
-    file::save_png(&picture, path)?;
-    report(program, &format!("{size} rendered in {time} ms, written to {}", path.display()));
-    Ok(())
-}
-
-fn compare(
-    program: &Program,
-    step: &dyn Step,
-    view: &View,
-    size: Size,
-    samples: usize,
-    file: &Path,
-    output: Option<&PathBuf>,
-) -> Result<bool> {
-    file::remove_unfinished_on_signal()?;
-    let found = file::read_png(file)?;
-    if let Some(path) = output {
+impl Job<'_> {
+    /// Writes the picture to the file `path`.
+    fn write(&self, path: &Path) -> Result<()> {
+        let Self { program, size, .. } = self;
+        file::remove_unfinished_on_signal()?;
         file::check_destination(path)?;
-        let width = 3 * size.width().max(found.width() as usize);
-        let height = size.height().max(found.height() as usize);
-        Size::new(width, height).with_context(|| {
-            format!("side by side they take {width}x{height} pixels, so leave --output away")
-        })?;
+        let (picture, time) = self.render();
+        file::save_png(&picture, path)?;
+        report(program, &format!("{size} rendered in {time} ms, written to {}", path.display()));
+        Ok(())
     }
-    let (expected, time) = render(step, view, size, samples);
-    let comparison = Comparison::new(&expected, &found, &[]);
-    print(&format!("{}: {comparison}\n", file.display()))?;
-    let mut done = format!("{size} rendered in {time} ms, compared with {}", file.display());
-    if let Some(path) = output {
-        file::save_png(&side_by_side(&expected, &found), path)?;
-        let _ = write!(done, "; both and their difference written to {}", path.display());
-    }
-    report(program, &done);
-    Ok(comparison.is_equal())
-}
 
-/// The picture, and how many milliseconds its pixels took.
-fn render(step: &dyn Step, view: &View, size: Size, samples: usize) -> (RgbImage, String) {
-    let camera = view.camera(size.aspect());
-    let frame = Frame { step, camera: &*camera, size, samples };
-    let progress = Progress::new(size.height());
-    let picture = frame.render_parallel(|rows| progress.add(rows));
-    let milliseconds = progress.finish().as_secs_f64() * 1e3;
-    (picture, format!("{milliseconds:.1}"))
+    /// Prints how far the picture in `file` is from the one expected, and writes both and their
+    /// difference to `output`; whether they are equal.
+    fn compare(&self, file: &Path, output: Option<&PathBuf>) -> Result<bool> {
+        let Self { program, size, .. } = self;
+        file::remove_unfinished_on_signal()?;
+        let found = file::read_png(file)?;
+        if let Some(path) = output {
+            file::check_destination(path)?;
+            let width = 3 * size.width().max(found.width() as usize);
+            let height = size.height().max(found.height() as usize);
+            Size::new(width, height).with_context(|| {
+                format!("side by side they take {width}x{height} pixels, so leave --output away")
+            })?;
+        }
+        let (expected, time) = self.render();
+        let comparison = Comparison::new(&expected, &found, &[]);
+        print(&format!("{}: {comparison}\n", file.display()))?;
+        let mut done = format!("{size} rendered in {time} ms, compared with {}", file.display());
+        if let Some(path) = output {
+            file::save_png(&side_by_side(&expected, &found), path)?;
+            let _ = write!(done, "; both and their difference written to {}", path.display());
+        }
+        report(program, &done);
+        Ok(comparison.is_equal())
+    }
+
+    /// The picture, and how many milliseconds its pixels took.
+    fn render(&self) -> (RgbImage, String) {
+        let Self { size, samples, .. } = *self;
+        let camera = self.view.camera(size.aspect());
+        let frame = Frame { step: &*self.step, camera: &*camera, size, samples };
+        let progress = Progress::new(size.height());
+        let picture = frame.render_parallel(|rows| progress.add(rows));
+        let milliseconds = progress.finish().as_secs_f64() * 1e3;
+        (picture, format!("{milliseconds:.1}"))
+    }
 }
 
 /// Prints what was asked for. Whoever closes standard output early has read enough.

@@ -20,6 +20,7 @@ use minifb::MouseMode;
 use minifb::ScaleMode;
 use minifb::WindowOptions;
 
+use super::command_line::Job;
 use super::command_line::Program;
 use super::command_line::controls;
 use super::command_line::print;
@@ -145,19 +146,14 @@ impl Window {
         Ok(Self { window, keys, typed, pressed: false, wheel: 0.0, shown, spare, sent, cost })
     }
 
-    /// Shows what `step` shows from `view` until the window is closed.
+    /// Shows the picture, and what else `job`'s step can show, until the window is closed.
     ///
     /// # Errors
     ///
     /// When the window system, or standard output, fails.
-    pub(crate) fn run(
-        self,
-        program: &Program,
-        step: Box<dyn Step>,
-        view: View,
-        samples: usize,
-    ) -> Result<()> {
+    pub(crate) fn run(self, job: Job<'_>) -> Result<()> {
         file::remove_unfinished_on_signal()?;
+        let Job { program, step, view, samples, .. } = job;
         let size = self.size().context("the window has no size")?;
         let drawing = Drawing::new(size, samples, view.camera(size.aspect()));
         Session {
