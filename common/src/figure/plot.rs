@@ -68,12 +68,13 @@ fn plot<F: Fn(f32) -> f32>(
 ) -> Result<(), DrawingAreaErrorKind<Infallible>> {
     let (letter, line) = canvas.text_size("0");
     let names = curves.iter().map(|(name, _)| canvas.text_size(name).0);
-    let right = names.max().unwrap_or(0) + 3 * letter;
+    let right = (names.max().unwrap_or(0) + 3 * letter) as i32;
     let (letter, line) = (letter as i32, line as i32);
     let canvas_width = canvas.width() as i32;
-    let color = |index: usize| FIRST.lerp(LAST, index as f32 / (curves.len() - 1).max(1) as f32);
+    let color = |index: usize| FIRST.lerp(LAST, index as f32 / (curves.len().max(2) - 1) as f32);
     for (index, (name, _)) in curves.iter().enumerate() {
-        let left = (canvas.width() - right + 2 * letter as usize) as f32;
+        // Off the panel, if a name is wider than that.
+        let left = (canvas_width - right + 2 * letter) as f32;
         let top = (line + line * 5 / 4 * index as i32) as f32;
         canvas.write(left, top, (0.0, 0.0), color(index), name);
     }
@@ -85,7 +86,7 @@ fn plot<F: Fn(f32) -> f32>(
     let area = Paper(canvas).into_drawing_area();
     let mut chart = ChartBuilder::on(&area)
         .margin_top(line)
-        .margin_right(right as i32)
+        .margin_right(right)
         .x_label_area_size(5 * line / 2)
         .y_label_area_size(5 * letter)
         .build_cartesian_2d(x.clone(), y)?;
