@@ -7,7 +7,7 @@ use image::RgbImage;
 #[derive(Clone, Debug, PartialEq)]
 pub enum Comparison {
     /// Equal within the threshold: no channel is more than [`TOLERANCE`] apart but for at most
-    /// [`STRAYS`] pixels; how many pixels differ at all, and how many are such strays.
+    /// three pixels; how many pixels differ at all, and how many are such strays.
     Equal {
         /// Pixels that are not the same to the last digit.
         inexact: usize,
@@ -50,7 +50,7 @@ pub const TOLERANCE: u8 = 1;
 /// How many pixels may be further off, in a picture of at least 3000: of a smaller one, one in a
 /// thousand. On a silhouette the last bit of a number, which differs between platforms, decides
 /// what a ray hits.
-pub const STRAYS: usize = 3;
+const STRAYS: usize = 3;
 
 impl Comparison {
     /// Compares `found` with `expected`; `others` are named pictures that `found` may be instead.
@@ -65,7 +65,8 @@ impl Comparison {
         };
         let offs = || expected.pixels().zip(found.pixels()).map(off);
         let strays = offs().filter(|off| *off > TOLERANCE).count();
-        if strays <= STRAYS.min(offs().count() / 1000) {
+        let pixels = expected.pixels().len();
+        if strays <= STRAYS.min(pixels / 1000) {
             return Self::Equal { inexact: offs().filter(|off| *off > 0).count(), strays };
         }
         let width = expected.width();
@@ -82,7 +83,7 @@ impl Comparison {
         }
         Self::Different(Difference {
             pixels: strays,
-            of: offs().count(),
+            of: pixels,
             worst,
             expected: expected.get_pixel(worst.0, worst.1).0,
             found: found.get_pixel(worst.0, worst.1).0,

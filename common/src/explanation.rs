@@ -114,7 +114,7 @@ impl Explanation {
         &self.entries
     }
 
-    /// The value of the first line whose equation is, or begins with, `symbol` and a blank.
+    /// The value of the first line that is `symbol`, or an equation with it as the left side.
     pub fn value(&self, symbol: &str) -> Option<&Value> {
         self.entries.iter().find_map(|entry| match entry {
             Entry::Equation(equation, value) if equation.split(" = ").next() == Some(symbol) => {

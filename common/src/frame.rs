@@ -126,12 +126,6 @@ pub struct Frame<'a> {
     pub samples: usize,
 }
 
-impl fmt::Debug for Frame<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "Frame({}, {} samples)", self.size, self.samples)
-    }
-}
-
 impl Frame<'_> {
     /// Renders rows into `rgb`, three bytes a pixel, from `first_row` on, as many as fit.
     ///

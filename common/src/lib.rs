@@ -36,7 +36,6 @@ pub use camera::OrthographicCamera;
 pub use camera::PerspectiveCamera;
 pub use compare::Comparison;
 pub use compare::Difference;
-pub use compare::STRAYS;
 pub use compare::TOLERANCE;
 pub use compare::side_by_side;
 pub use control::Control;

@@ -27,7 +27,7 @@ pub fn main<S: Step + Default + 'static>(name: &'static str, concept: &'static s
 
 /// What an example's `main` runs: a step's program, for a figure of that step.
 #[cfg(feature = "figures")]
-pub fn figure<L: Step + Clone + Send + 'static>(
+pub fn figure<L: Step + Clone + 'static>(
     name: &'static str,
     concept: &'static str,
     figure: fn() -> Figure<L>,

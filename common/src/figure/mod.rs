@@ -29,8 +29,8 @@ pub struct Figure<L> {
     shown: usize,
 }
 
-type Change<L> = dyn Fn(&mut L) + Send + Sync;
-type Draw<L> = dyn Fn(&L, &mut Canvas<'_>) + Send + Sync;
+type Change<L> = dyn Fn(&mut L) + Sync;
+type Draw<L> = dyn Fn(&L, &mut Canvas<'_>) + Sync;
 
 struct Panel<L> {
     label: String,
@@ -87,11 +87,7 @@ impl<L: Step + Clone> Figure<L> {
     }
 
     /// Adds a panel that shows the lesson after `change`.
-    pub fn vary(
-        self,
-        label: impl Into<String>,
-        change: impl Fn(&mut L) + Send + Sync + 'static,
-    ) -> Self {
+    pub fn vary(self, label: impl Into<String>, change: impl Fn(&mut L) + Sync + 'static) -> Self {
         self.panel(label, change, |lesson, canvas| canvas.show(lesson))
     }
 
@@ -99,7 +95,7 @@ impl<L: Step + Clone> Figure<L> {
     pub fn draw(
         self,
         label: impl Into<String>,
-        draw: impl Fn(&L, &mut Canvas<'_>) + Send + Sync + 'static,
+        draw: impl Fn(&L, &mut Canvas<'_>) + Sync + 'static,
     ) -> Self {
         self.panel(label, |_| (), draw)
     }
@@ -108,8 +104,8 @@ impl<L: Step + Clone> Figure<L> {
     pub fn panel(
         mut self,
         label: impl Into<String>,
-        change: impl Fn(&mut L) + Send + Sync + 'static,
-        draw: impl Fn(&L, &mut Canvas<'_>) + Send + Sync + 'static,
+        change: impl Fn(&mut L) + Sync + 'static,
+        draw: impl Fn(&L, &mut Canvas<'_>) + Sync + 'static,
     ) -> Self {
         let (label, change, draw) = (label.into(), Box::new(change), Box::new(draw));
         self.panels.push(Panel { label, change, draw });
