@@ -2,6 +2,7 @@
 
 use std::ffi::OsString;
 use std::io;
+#[cfg(unix)]
 use std::process::Command;
 use std::process::Output;
 use std::process::Stdio;

@@ -39,6 +39,10 @@ pub const STEPS: [&str; 7] = [
     "step07_specular",
 ];
 
+/// Whether a window needs a display that can be taken away from a program, which then writes its
+/// picture to a file. Elsewhere it would open a window and wait for its user.
+pub const X11: bool = cfg!(all(unix, not(target_os = "macos")));
+
 /// A step as it starts, by its index in [`STEPS`].
 ///
 /// # Panics
@@ -181,8 +185,8 @@ pub fn program(name: &str) -> PathBuf {
     PROGRAMS.join(name).with_extension(std::env::consts::EXE_EXTENSION)
 }
 
-/// A step's program, to be run in `folder` with no display; it is home and holds what is temporary
-/// too, so that whatever the program writes unasked is found there.
+/// A step's program, to be run in `folder` with no display, as far as there is [`X11`]; the folder is
+/// home and holds what is temporary too, so that whatever the program writes unasked is found there.
 pub fn command(name: &str, folder: &Path) -> Command {
     let mut command = Command::new(program(name));
     command.current_dir(folder).env("HOME", folder).env("TMPDIR", folder);
