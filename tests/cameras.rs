@@ -12,9 +12,11 @@ use common::Vec3;
 use common::View;
 use common::encode;
 use tests::checks;
+use tests::colors;
 use tests::every_step::Near;
 use tests::every_step::Package;
 use tests::every_step::TOLERANCE;
+use tests::every_step::assert_near;
 
 checks!(packages {
     pixels_lie_at_their_centres,
@@ -40,10 +42,7 @@ fn ray_at(camera: &dyn Camera, (x, y): (f32, f32)) -> Ray {
 
 #[track_caller]
 fn near<T: Near>(what: &str, found: T, expected: T, why: &str) {
-    assert!(
-        found.difference(expected) <= TOLERANCE,
-        "{what} is {found} and should be {expected}, within {TOLERANCE:.1e}: {why}"
-    );
+    assert_near(what, found, expected, TOLERANCE, why);
 }
 
 #[test]
@@ -207,8 +206,7 @@ fn rays_of_a_pixel_are_averaged_before_encoding<S: Package>() {
     let camera = step.view().camera(size.aspect());
     for samples in 1..=3 {
         let (wide, high) = (samples * width, samples * height);
-        let mut colors = vec![Color::NAN; wide * high];
-        step.render(&*camera, &mut Image::new(wide, high, 0, &mut colors));
+        let colors = colors(&step, &*camera, wide, high);
         let picture = Frame { step: &step, camera: &*camera, size, samples }.render();
         for (col, row, found) in picture.enumerate_pixels() {
             let (left, top) = (samples * col as usize, samples * row as usize);

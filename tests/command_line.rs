@@ -12,6 +12,7 @@ use image::ImageReader;
 use tempfile::tempdir;
 use tests::STEPS;
 use tests::command;
+use tests::controls;
 use tests::files;
 use tests::only_line;
 use tests::step;
@@ -251,7 +252,7 @@ fn help_names_every_flag_and_control_and_writes_nothing() {
         let flags =
             ["--output", "--size", "--camera", "--set", "--samples", "--pixel", "--compare"];
         let (mut step, mut view) = (step(index), step(index).view());
-        let controls: Vec<_> = step.controls().into_iter().chain(view.controls()).collect();
+        let controls = controls(&mut *step, &mut view);
         let controls = controls.iter().map(|control| {
             format!("  {:<14} {} ({})\n", control.name, control.takes(), control.text())
         });

@@ -7,17 +7,13 @@ use common::Vec3;
 use common::View;
 use image::RgbImage;
 use tests::STEPS;
+use tests::controls;
 use tests::every_step::Near;
 use tests::picture;
 use tests::step;
 
 const WIDTH: usize = 160;
 const HEIGHT: usize = 90;
-
-/// All controls in the order of the window and of `--help`: the step's, then the camera's.
-fn controls<'a>(step: &'a mut dyn Step, view: &'a mut View) -> Vec<Control<'a>> {
-    step.controls().into_iter().chain(view.controls()).collect()
-}
 
 /// The name of a control and a value.
 type Setting = (&'static str, &'static str);

@@ -448,6 +448,15 @@ impl Near for Vec3 {
     }
 }
 
+/// Fails unless `found` is `expected` within `tolerance`, with `why`.
+#[track_caller]
+pub fn assert_near<T: Near>(what: &str, found: T, expected: T, tolerance: f32, why: &str) {
+    assert!(
+        found.difference(expected) <= tolerance,
+        "{what} is {found} and should be {expected}, within {tolerance:.1e}: {why}"
+    );
+}
+
 /// Fails unless `found` is `expected` within [`TOLERANCE`], with the step's name and `why`.
 #[track_caller]
 pub fn near<S: Package, T: Near>(what: &str, found: T, expected: T, why: &str) {
@@ -457,11 +466,7 @@ pub fn near<S: Package, T: Near>(what: &str, found: T, expected: T, why: &str) {
 /// Fails unless `found` is `expected` within `tolerance`, with the step's name and `why`.
 #[track_caller]
 pub fn within<S: Package, T: Near>(what: &str, found: T, expected: T, tolerance: f32, why: &str) {
-    let step = S::NAME;
-    assert!(
-        found.difference(expected) <= tolerance,
-        "{step}: {what} is {found} and should be {expected}, within {tolerance:.1e}: {why}"
-    );
+    assert_near(&format!("{}: {what}", S::NAME), found, expected, tolerance, why);
 }
 
 /// The hit, which must be there; fails with the step's name and `why`.

@@ -4,7 +4,6 @@ use common::Color;
 use common::Control;
 use common::Entry;
 use common::Explanation;
-use common::Image;
 use common::Pixel;
 use common::Step;
 use common::Value;
@@ -14,6 +13,8 @@ use common::encode;
 use step04_scene::scene::Scene;
 use step04_scene::scene::lecture_scene;
 use tests::checks;
+use tests::colors;
+use tests::controls;
 use tests::every_step::Package;
 
 checks!(packages {
@@ -46,15 +47,10 @@ fn states<S: Package>(mut look: impl FnMut(&S, &View, &str)) {
     let (start, start_view) = (S::default(), S::default().view());
     look(&start, &start_view, "nothing set");
     for fraction in [0.0, 0.5, 1.0] {
-        for index in 0..start.clone().controls().len() {
-            let mut step = start.clone();
-            let setting = moved(&mut step.controls()[index], fraction);
-            look(&step, &start_view, &setting);
-        }
-        for index in 0..start_view.clone().controls().len() {
-            let mut view = start_view.clone();
-            let setting = moved(&mut view.controls()[index], fraction);
-            look(&start, &view, &setting);
+        for index in 0..controls(&mut start.clone(), &mut start_view.clone()).len() {
+            let (mut step, mut view) = (start.clone(), start_view.clone());
+            let setting = moved(&mut controls(&mut step, &mut view)[index], fraction);
+            look(&step, &view, &setting);
         }
     }
 }
@@ -62,9 +58,8 @@ fn states<S: Package>(mut look: impl FnMut(&S, &View, &str)) {
 fn the_colour_explained_is_the_pixel_drawn<S: Package>() {
     states::<S>(|step, view, setting| {
         for (width, height) in [(WIDTH, HEIGHT), (7, 31)] {
-            let mut colors = vec![Color::NAN; width * height];
             let camera = view.camera(width as f32 / height as f32);
-            step.render(&*camera, &mut Image::new(width, height, 0, &mut colors));
+            let colors = colors(step, &*camera, width, height);
             for (explanation, color) in explanations(step, view, width, height).iter().zip(colors) {
                 let Pixel { col, row, .. } = explanation.pixel;
                 assert_eq!(

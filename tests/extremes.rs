@@ -8,7 +8,6 @@ use std::f64::consts::TAU;
 
 use common::Camera;
 use common::Color;
-use common::Image;
 use common::OrthographicCamera;
 use common::PerspectiveCamera;
 use common::Ray;
@@ -21,6 +20,7 @@ use step05_diffuse::intersection::Surface as _;
 use step06_shadows::intersection::Surface as _;
 use step07_specular::intersection::Surface as _;
 use tests::STEPS;
+use tests::colors;
 use tests::step;
 
 const WIDTH: usize = 48;
@@ -28,9 +28,7 @@ const HEIGHT: usize = 27;
 
 /// The radiance of each pixel.
 fn radiance(step: &dyn Step, camera: &dyn Camera) -> Vec<Color> {
-    let mut pixels = vec![Color::ZERO; WIDTH * HEIGHT];
-    step.render(camera, &mut Image::new(WIDTH, HEIGHT, 0, &mut pixels));
-    pixels
+    colors(step, camera, WIDTH, HEIGHT)
 }
 
 /// Seen from where the step begins.

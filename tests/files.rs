@@ -26,8 +26,10 @@ use tests::STEPS;
 use tests::X11;
 use tests::command;
 use tests::files;
+use tests::mend_checksums;
 use tests::only_line;
 use tests::picture;
+use tests::read_picture;
 use tests::say;
 use tests::step;
 
@@ -62,10 +64,6 @@ fn assert_failed(folder: &Path, output: &Output, beginning: &str, end: &str) {
 /// Rendered without a program.
 fn expected(index: usize, width: usize, height: usize) -> RgbImage {
     picture(&*step(index), &step(index).view(), width, height)
-}
-
-fn open(path: impl AsRef<Path>) -> RgbImage {
-    image::open(path).expect("a picture").into_rgb8()
 }
 
 #[test]
@@ -132,7 +130,7 @@ fn a_file_is_replaced_in_one_stroke() {
     let mut reader = File::open(folder.path().join("old.png")).expect("it is there");
     let output = run(folder.path(), &["-s", "16x9", "-o", "old.png"]);
     assert_eq!(output.status.code(), Some(0));
-    assert_eq!(open(folder.path().join("old.png")), expected(6, 16, 9));
+    assert_eq!(read_picture(&folder.path().join("old.png")), expected(6, 16, 9));
     assert_eq!(files(folder.path()), ["old.png"]);
     // Whoever had it open still reads all of the old one: it was not written over.
     let mut text = String::new();
@@ -200,7 +198,7 @@ fn a_link_stays_a_link() {
     symlink("old.png", folder.path().join("link.png")).expect("linked");
     assert_eq!(run(folder.path(), &["-s", "16x9", "-o", "link.png"]).status.code(), Some(0));
     assert!(folder.path().join("link.png").is_symlink());
-    assert_eq!(open(folder.path().join("old.png")), expected(6, 16, 9));
+    assert_eq!(read_picture(&folder.path().join("old.png")), expected(6, 16, 9));
     assert_eq!(files(folder.path()), ["link.png", "old.png"]);
 }
 
@@ -214,7 +212,7 @@ fn a_link_to_a_file_that_is_not_there_yet_stays_a_link() {
     symlink("a/b.png", folder.path().join("1.png")).expect("linked");
     symlink("../new.png", folder.path().join("a/b.png")).expect("linked");
     assert_eq!(run(folder.path(), &["-s", "16x9", "-o", "1.png"]).status.code(), Some(0));
-    assert_eq!(open(folder.path().join("new.png")), expected(6, 16, 9));
+    assert_eq!(read_picture(&folder.path().join("new.png")), expected(6, 16, 9));
     assert_eq!(files(folder.path()), ["1.png", "a", "new.png", "old.png"]);
     assert!(folder.path().join("1.png").is_symlink() && folder.path().join("a/b.png").is_symlink());
 }
@@ -258,7 +256,7 @@ fn a_leftover_of_the_same_process_id_is_left_alone() {
     shell.current_dir(folder.path()).args(["-c", script]).arg(program.get_program());
     let output = shell.output().expect("sh runs");
     assert_eq!(output.status.code(), Some(0), "{}", only_line(&output));
-    assert_eq!(open(folder.path().join("old.png")), expected(6, 16, 9));
+    assert_eq!(read_picture(&folder.path().join("old.png")), expected(6, 16, 9));
     assert_eq!(files(folder.path()).len(), 2);
 }
 
@@ -348,7 +346,9 @@ mod ended {
     /// The program ends by itself with what `signal` asks for, and leaves nothing behind.
     fn is_tidy_after(signal: &str) {
         if is_ignored(signal) {
-            return say(&format!("not tested: what SIG{signal} does, because these tests ignore it"));
+            return say(&format!(
+                "not tested: what SIG{signal} does, because these tests ignore it"
+            ));
         }
         let statuses =
             at_all_moments(signal, |folder| assert_eq!(files(folder), ["old.png"], "SIG{signal}"));
@@ -396,7 +396,7 @@ mod ended {
             send("HUP", &child);
         }
         assert_eq!(child.wait().expect("it ended").code(), Some(0));
-        assert_eq!(open(folder.path().join("old.png")), expected(6, 1200, 900));
+        assert_eq!(read_picture(&folder.path().join("old.png")), expected(6, 1200, 900));
     }
 
     #[test]
@@ -483,13 +483,13 @@ fn what_is_no_picture_is_refused_in_one_line() {
     let mut gigantic = whole.clone();
     // The size stands behind the signature, the length and the name of the first chunk.
     gigantic[16..24].copy_from_slice(&[0x7f, 0xff, 0xff, 0xff, 0x7f, 0xff, 0xff, 0xff]);
-    mend_checksum(&mut gigantic);
+    mend_checksums(&mut gigantic);
     let mut large = whole.clone();
     large[16..24].copy_from_slice(&[0, 1, 0, 0, 0, 0, 8, 0]);
-    mend_checksum(&mut large);
+    mend_checksums(&mut large);
     let mut empty = whole.clone();
     empty[16..24].fill(0);
-    mend_checksum(&mut empty);
+    mend_checksums(&mut empty);
     let mut wrong = whole.clone();
     wrong[29] ^= 1;
     let limit = "the limit is 100000 pixels a side and 100 million in all";
@@ -527,12 +527,6 @@ fn what_is_no_picture_is_refused_in_one_line() {
     }
 }
 
-/// Gives the header of `png` the checksum that it should have.
-fn mend_checksum(png: &mut [u8]) {
-    let checksum = tests::crc32(&png[12..29]).to_be_bytes();
-    png[29..33].copy_from_slice(&checksum);
-}
-
 #[test]
 fn another_size_is_a_difference_and_not_a_failure() {
     let folder = tempdir().expect("a folder");
@@ -542,7 +536,7 @@ fn another_size_is_a_difference_and_not_a_failure() {
     let found = String::from_utf8_lossy(&output.stdout);
     assert_eq!(found, "a.png: the size is 16x9, and 9x16 was expected\n");
     assert_eq!(output.status.code(), Some(1));
-    assert_eq!(open(folder.path().join("both.png")).dimensions(), (3 * 16, 16));
+    assert_eq!(read_picture(&folder.path().join("both.png")).dimensions(), (3 * 16, 16));
 }
 
 #[test]

@@ -7,7 +7,6 @@
 //! PROPTEST_CASES=100000 PROPTEST_RNG_SEED=1 cargo test --test fuzz
 //! ```
 
-use std::env;
 use std::fs;
 
 use common::Camera;
@@ -25,7 +24,6 @@ use proptest::array::uniform3;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
-use proptest::test_runner::RngSeed;
 use step07_specular::Lesson;
 use step07_specular::light::PointLight;
 use step07_specular::material::Material;
@@ -36,24 +34,13 @@ use step07_specular::triangle::Triangle;
 use tempfile::tempdir;
 use tests::STEPS;
 use tests::X11;
+use tests::chance::config;
 use tests::command;
-use tests::crc32;
 use tests::files;
+use tests::mend_checksums;
 use tests::only_line;
 use tests::picture;
 use tests::step;
-
-/// A run of `cases`, always the same, unless the variables say otherwise.
-fn config(cases: u32) -> ProptestConfig {
-    let mut config = ProptestConfig { failure_persistence: None, ..ProptestConfig::default() };
-    if env::var_os("PROPTEST_CASES").is_none() {
-        config.cases = cases;
-    }
-    if env::var_os("PROPTEST_RNG_SEED").is_none() {
-        config.rng_seed = RngSeed::Fixed(0);
-    }
-    config
-}
 
 /// Text that is nearly right, or anything but a NUL, which no argument can have.
 fn text() -> impl Strategy<Value = String> {
@@ -175,19 +162,6 @@ proptest! {
             }
             status => prop_assert!(false, "{status:?}: {line}"),
         }
-    }
-}
-
-/// Gives each chunk of `png` the checksum that it should have, so that what is inside is looked at.
-fn mend_checksums(png: &mut [u8]) {
-    let mut at = 8;
-    while let Some(&[a, b, c, d]) = png.get(at..at + 4) {
-        let end = at + 8 + u32::from_be_bytes([a, b, c, d]) as usize;
-        let Some(chunk) = png.get(at + 4..end) else { return };
-        let checksum = crc32(chunk).to_be_bytes();
-        let Some(place) = png.get_mut(end..end + 4) else { return };
-        place.copy_from_slice(&checksum);
-        at = end + 4;
     }
 }
 

@@ -19,6 +19,8 @@ use pulldown_cmark::TagEnd;
 use tests::STEPS;
 use tests::X11;
 use tests::command;
+use tests::controls;
+use tests::empty_folder;
 use tests::hold_picture;
 use tests::root;
 use tests::step;
@@ -271,10 +273,8 @@ fn run(name: &str, arguments: &[&str], folder: &Path) -> Output {
 
 /// A new folder for the files that are written on behalf of `name`.
 fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name.replace(['/', '\\', ' '], "-"));
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).expect("the target folder can be written to");
-    folder
+    let name = name.replace(['/', '\\', ' '], "-");
+    empty_folder(Path::new(env!("CARGO_TARGET_TMPDIR")), &name)
 }
 
 /// The file that a program with these arguments is to write, if any.
@@ -410,8 +410,8 @@ fn every_control_exists() {
     let mut wrong = Vec::new();
     for readme in readmes() {
         let known: BTreeSet<String> = match readme.step() {
-            Some(index) => controls(index),
-            None => (0..STEPS.len()).flat_map(controls).collect(),
+            Some(index) => names_of_controls(index),
+            None => (0..STEPS.len()).flat_map(names_of_controls).collect(),
         };
         for part in &readme.parts {
             if let Part::Control(name) = part
@@ -443,12 +443,10 @@ fn every_flag_is_in_the_help() {
 }
 
 /// The names of a step's controls, and of its camera's.
-fn controls(index: usize) -> BTreeSet<String> {
+fn names_of_controls(index: usize) -> BTreeSet<String> {
     let mut step = step(index);
     let mut view = step.view();
-    let mut controls = step.controls();
-    controls.extend(view.controls());
-    controls.into_iter().map(|control| control.name).collect()
+    controls(&mut *step, &mut view).into_iter().map(|control| control.name).collect()
 }
 
 #[test]

@@ -4,6 +4,7 @@
 //! change that was meant, `UPDATE_SNAPSHOTS=1 cargo test` makes all of them anew; look at what
 //! changed in them before you commit it.
 
+pub mod chance;
 pub mod every_step;
 pub mod povray;
 
@@ -17,8 +18,12 @@ use std::process::Command;
 use std::process::Output;
 use std::sync::LazyLock;
 
+use common::Camera;
+use common::Color;
 use common::Comparison;
+use common::Control;
 use common::Frame;
+use common::Image;
 use common::Size;
 use common::Step;
 use common::View;
@@ -70,6 +75,18 @@ pub fn picture(step: &dyn Step, view: &View, width: usize, height: usize) -> Rgb
     let size = Size::new(width, height).expect("a size");
     let camera = view.camera(size.aspect());
     Frame { step, camera: &*camera, size, samples: 1 }.render()
+}
+
+/// The linear radiance of each pixel of `step`, seen with `camera`.
+pub fn colors(step: &dyn Step, camera: &dyn Camera, width: usize, height: usize) -> Vec<Color> {
+    let mut colors = vec![Color::NAN; width * height];
+    step.render(camera, &mut Image::new(width, height, 0, &mut colors));
+    colors
+}
+
+/// All controls in the order of the window and of `--help`: the step's, then the camera's.
+pub fn controls<'a>(step: &'a mut dyn Step, view: &'a mut View) -> Vec<Control<'a>> {
+    step.controls().into_iter().chain(view.controls()).collect()
 }
 
 /// The folder that holds all crates.
@@ -207,6 +224,18 @@ pub fn files(folder: &Path) -> Vec<OsString> {
     names
 }
 
+/// The folder `name` in `parent`, made anew and empty.
+///
+/// # Panics
+///
+/// When it cannot be made.
+pub fn empty_folder(parent: &Path, name: &str) -> PathBuf {
+    let folder = parent.join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("the target folder can be written to");
+    folder
+}
+
 /// The single line that `output` has on standard error.
 ///
 /// # Panics
@@ -220,10 +249,23 @@ pub fn only_line(output: &Output) -> &str {
 }
 
 /// The checksum of PNG chunks, as in appendix D of its specification.
-pub fn crc32(bytes: &[u8]) -> u32 {
+fn crc32(bytes: &[u8]) -> u32 {
     !bytes.iter().fold(!0, |crc, byte| {
         (0..8).fold(crc ^ u32::from(*byte), |crc, _| {
             if crc & 1 == 1 { 0xedb8_8320 ^ (crc >> 1) } else { crc >> 1 }
         })
     })
+}
+
+/// Gives each chunk of `png` the checksum that it should have, so that what is inside is looked at.
+pub fn mend_checksums(png: &mut [u8]) {
+    let mut at = 8;
+    while let Some(&[a, b, c, d]) = png.get(at..at + 4) {
+        let end = at + 8 + u32::from_be_bytes([a, b, c, d]) as usize;
+        let Some(chunk) = png.get(at + 4..end) else { return };
+        let checksum = crc32(chunk).to_be_bytes();
+        let Some(place) = png.get_mut(end..end + 4) else { return };
+        place.copy_from_slice(&checksum);
+        at = end + 4;
+    }
 }

@@ -4,7 +4,6 @@ use common::Camera;
 use common::Color;
 use common::Entry;
 use common::Explanation;
-use common::Image;
 use common::Pixel;
 use common::Step;
 use common::Value;
@@ -37,9 +36,7 @@ fn camera(view: &View) -> Box<dyn Camera> {
 
 /// What `step` shows, in linear radiance.
 fn colors(step: &dyn Step, view: &View) -> Vec<Color> {
-    let mut colors = vec![Color::NAN; WIDTH * HEIGHT];
-    step.render(&*camera(view), &mut Image::new(WIDTH, HEIGHT, 0, &mut colors));
-    colors
+    tests::colors(step, &*camera(view), WIDTH, HEIGHT)
 }
 
 /// Every pixel, explained.

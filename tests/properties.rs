@@ -1,7 +1,8 @@
-//! What holds for any ray, scene and light. Cases that once failed are kept in
-//! `properties.regressions`, and are tried first.
+//! What holds for any ray, scene and light.
 //!
-//! `PROPTEST_CASES` sets how many cases are tried.
+//! The cases are always the same, and those of `properties.regressions` are tried first, which once
+//! failed. `PROPTEST_CASES` makes them more and `PROPTEST_RNG_SEED` different; what fails then is
+//! added to that file.
 
 use common::Color;
 use common::Ray;
@@ -15,10 +16,14 @@ use proptest::prop_oneof;
 use proptest::sample::select;
 use proptest::strategy::Strategy;
 use proptest::test_runner::Config;
+use proptest::test_runner::FailurePersistence;
 use proptest::test_runner::FileFailurePersistence;
+use proptest::test_runner::MapFailurePersistence;
 use proptest::test_runner::TestCaseError;
 use proptest::test_runner::TestCaseResult;
 use proptest::test_runner::TestRunner;
+use tests::chance::config;
+use tests::chance::is_a_search;
 use tests::checks;
 use tests::every_step::Ball;
 use tests::every_step::Hit;
@@ -44,12 +49,16 @@ checks!(shadows { light_is_the_sum_of_its_parts, visibility_is_mutual });
 
 /// Tries `property` of the step on values of `strategy`; a failure prints the simplest that fails.
 fn hold<S: Package, T: Strategy>(strategy: T, property: impl Fn(T::Value) -> TestCaseResult) {
-    let persistence = FileFailurePersistence::WithSource("regressions");
-    let config = Config::default();
+    let config = config(256);
+    let persistence: Box<dyn FailurePersistence> = if is_a_search() {
+        Box::new(FileFailurePersistence::WithSource("regressions"))
+    } else {
+        Box::new(once_failed())
+    };
     let config = Config {
         // Some cases are left out, as each property says.
         max_global_rejects: config.cases.saturating_mul(4),
-        failure_persistence: Some(Box::new(persistence)),
+        failure_persistence: Some(persistence),
         source_file: Some(file!()),
         ..config
     };
@@ -57,6 +66,15 @@ fn hold<S: Package, T: Strategy>(strategy: T, property: impl Fn(T::Value) -> Tes
     if let Err(error) = result {
         panic!("{}: {error}", S::NAME);
     }
+}
+
+/// The cases of `properties.regressions`, to be read and not written.
+fn once_failed() -> MapFailurePersistence {
+    let lines = include_str!("properties.regressions").lines();
+    let seeds = lines.map(|line| line.split('#').next().unwrap_or(line).trim());
+    let seeds = seeds.filter(|seed| !seed.is_empty());
+    let seeds = seeds.map(|seed| seed.parse().expect("a seed as it is written there"));
+    MapFailurePersistence { map: [(file!(), seeds.collect())].into() }
 }
 
 /// Points whose coordinates lie within ±`size`.

@@ -40,8 +40,11 @@ use image::Rgb;
 use image::RgbImage;
 use image::imageops;
 use tests::STEPS;
+use tests::controls;
+use tests::empty_folder;
 use tests::picture;
 use tests::program;
+use tests::read_picture;
 use tests::step;
 
 /// The size that a window has unless told otherwise.
@@ -66,10 +69,7 @@ fn until<T>(what: &str, mut ask: impl FnMut() -> Option<T>) -> T {
 
 /// An empty folder for a test.
 fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("window").join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).expect("a folder");
-    folder
+    empty_folder(&Path::new(env!("CARGO_TARGET_TMPDIR")).join("window"), name)
 }
 
 /// An X server that keeps its screen in a file.
@@ -136,7 +136,20 @@ impl Display {
 }
 
 impl Display {
-    /// Ends the server, and with it every connection.
+    /// Has the server end by itself, so that it leaves neither its socket nor its lock behind.
+    fn end(&self) {
+        let id = self.server.borrow().id().to_string();
+        let _ = Command::new("kill").arg(id).stderr(Stdio::null()).status();
+        let start = Instant::now();
+        while matches!(self.server.borrow_mut().try_wait(), Ok(None)) {
+            if start.elapsed() > Duration::from_secs(1) {
+                return self.kill();
+            }
+            thread::sleep(Duration::from_millis(5));
+        }
+    }
+
+    /// Ends the server, and with it every connection, at once.
     fn kill(&self) {
         let mut server = self.server.borrow_mut();
         let _ = server.kill();
@@ -146,15 +159,8 @@ impl Display {
 
 impl Drop for Display {
     fn drop(&mut self) {
-        self.kill();
+        self.end();
     }
-}
-
-/// All controls of a step: its own, then the camera's.
-fn controls<'a>(step: &'a mut dyn Step, view: &'a mut View) -> Vec<Control<'a>> {
-    let mut controls = step.controls();
-    controls.extend(view.controls());
-    controls
 }
 
 /// Whether the overlay's font has ink at each of a character's pixels.
@@ -300,7 +306,7 @@ impl<'a> Running<'a> {
         let name = format!("{}-{}.png", STEPS[self.index], self.saved);
         let path = self.folder.join(&name);
         until(&name, || path.exists().then_some(()));
-        let found = image::open(path).expect("a PNG").into_rgb8();
+        let found = read_picture(&path);
         let comparison = Comparison::new(&self.picture(), &found, &[]);
         assert!(comparison.is_equal(), "{name}: {comparison}");
         until("a word about it", || self.errors().contains(&name).then_some(()));
@@ -592,7 +598,7 @@ fn no_window() {
         let errors = String::from_utf8(output.stderr).expect("text");
         let name = format!("{}.png", STEPS[4]);
         assert!(errors.contains(reason) && errors.contains(&name), "{errors}");
-        let found = image::open(folder.join(name)).expect("a PNG").into_rgb8();
+        let found = read_picture(&folder.join(name));
         let step = step(4);
         let expected = picture(&*step, &step.view(), width, height);
         assert!(Comparison::new(&expected, &found, &[]).is_equal());
