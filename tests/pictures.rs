@@ -13,10 +13,14 @@ use common::encode;
 use image::RgbImage;
 use image::imageops;
 use tests::STEPS;
+use tests::checks;
+use tests::every_step::Package;
 use tests::hold_picture;
 use tests::picture;
 use tests::read_picture;
 use tests::step;
+
+checks!(packages { is_the_committed_picture_in_perspective, is_the_committed_picture_in_parallel });
 
 const WIDTH: usize = 240;
 const HEIGHT: usize = 135;
@@ -43,7 +47,8 @@ fn mistakes(index: usize, projection: usize) -> Vec<(&'static str, RgbImage)> {
     paths.map(|(name, path)| (name, read_picture(&path))).collect()
 }
 
-fn is_the_committed_picture(index: usize, projection: usize) {
+fn is_the_committed_picture<S: Package>(projection: usize) {
+    let index = STEPS.iter().position(|name| *name == S::NAME).expect("a step");
     let found = rendered(index, projection);
     let others = mistakes(index, projection);
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
@@ -51,35 +56,12 @@ fn is_the_committed_picture(index: usize, projection: usize) {
     held.unwrap_or_else(|how| panic!("{how}"));
 }
 
-macro_rules! each_step {
-    ($($step:ident = $index:literal;)*) => {
-        $(mod $step {
-            #[test]
-            fn is_the_committed_picture_in_perspective() {
-                super::is_the_committed_picture($index, 0);
-            }
-
-            #[test]
-            fn is_the_committed_picture_in_parallel() {
-                super::is_the_committed_picture($index, 1);
-            }
-        })*
-
-        #[test]
-        fn no_step_is_without_its_pictures() {
-            assert_eq!([$(stringify!($step)),*], STEPS);
-        }
-    };
+fn is_the_committed_picture_in_perspective<S: Package>() {
+    is_the_committed_picture::<S>(0);
 }
 
-each_step! {
-    step01_rays = 0;
-    step02_sphere = 1;
-    step03_triangle = 2;
-    step04_scene = 3;
-    step05_diffuse = 4;
-    step06_shadows = 5;
-    step07_specular = 6;
+fn is_the_committed_picture_in_parallel<S: Package>() {
+    is_the_committed_picture::<S>(1);
 }
 
 /// What is said of `found` where the lecture's last picture was expected.

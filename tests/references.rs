@@ -5,13 +5,17 @@ use std::path::Path;
 use std::path::PathBuf;
 
 use image::RgbImage;
-use tests::STEPS;
+use tests::checks;
 use tests::compare;
+use tests::every_step::Scenes;
 use tests::picture;
 use tests::povray;
 use tests::read_picture;
 use tests::say;
-use tests::step;
+
+checks!(scenes { shows_what_pov_ray_does, reference_is_what_pov_ray_makes_of_the_scene });
+
+const FILES: [&str; 4] = ["step04.png", "step05.png", "step06.png", "step07.png"];
 
 const SIZE: (usize, usize) = (960, 540);
 
@@ -29,42 +33,25 @@ fn is_the_reference(file: &str, name: &str, found: &RgbImage) {
     }
 }
 
-fn shows_what_pov_ray_does(number: usize, file: &str) {
-    let step = step(number - 1);
-    let found = picture(&*step, &step.view(), SIZE.0, SIZE.1);
-    is_the_reference(file, &format!("{}_and_pov_ray", STEPS[number - 1]), &found);
+/// The reference of a step: step04.png of step04_scene.
+fn file<S: Scenes>() -> &'static str {
+    let file = FILES.into_iter().find(|file| S::NAME.starts_with(file.trim_end_matches(".png")));
+    file.expect("steps with scenes have a reference")
 }
 
-fn is_what_pov_ray_makes(number: usize, file: &str) {
+fn shows_what_pov_ray_does<S: Scenes>() {
+    let step = S::default();
+    let found = picture(&step, &step.view(), SIZE.0, SIZE.1);
+    is_the_reference(file::<S>(), &format!("{}_and_pov_ray", S::NAME), &found);
+}
+
+fn reference_is_what_pov_ray_makes_of_the_scene<S: Scenes>() {
     if povray::is_installed() {
-        let (declared, made) = (format!("Step={number}"), format!("pov_ray_{file}"));
-        let made = Path::new(env!("CARGO_TARGET_TMPDIR")).join(made);
+        let file = file::<S>();
+        let number = file.trim_start_matches("step0").trim_end_matches(".png");
+        let made = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("pov_ray_{file}"));
+        let declared = format!("Step={number}");
         let found = povray::render(&reference("lecture.pov"), &[&declared], SIZE, &made);
         is_the_reference(file, &format!("reference_{file}_and_pov_ray_now"), &found);
     }
-}
-
-macro_rules! each_step {
-    ($($step:ident = $number:literal, $file:literal;)*) => {
-        const FILES: [&str; 4] = [$($file),*];
-
-        $(mod $step {
-            #[test]
-            fn shows_what_pov_ray_does() {
-                super::shows_what_pov_ray_does($number, $file);
-            }
-
-            #[test]
-            fn reference_is_what_pov_ray_makes_of_the_scene() {
-                super::is_what_pov_ray_makes($number, $file);
-            }
-        })*
-    };
-}
-
-each_step! {
-    step04_scene = 4, "step04.png";
-    step05_diffuse = 5, "step05.png";
-    step06_shadows = 6, "step06.png";
-    step07_specular = 7, "step07.png";
 }
