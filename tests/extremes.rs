@@ -2,7 +2,7 @@
 //!
 //! What is degenerate has a picture all the same: a surface without extent, or with a coordinate
 //! that is not a number, is as if it were not there; a camera without a direction takes another; a
-//! light without a position gives none. Light that is not a number is black.
+//! light without a position gives none.
 
 use std::f64::consts::TAU;
 
@@ -15,13 +15,37 @@ use common::Step;
 use common::Vec3;
 use common::encode;
 use glam::DVec3;
-use step04_scene::intersection::Surface as _;
-use step05_diffuse::intersection::Surface as _;
-use step06_shadows::intersection::Surface as _;
-use step07_specular::intersection::Surface as _;
 use tests::STEPS;
+use tests::checks;
 use tests::colors;
+use tests::every_step::Ball;
+use tests::every_step::Light;
+use tests::every_step::Lights;
+use tests::every_step::Paint;
+use tests::every_step::Scenes;
+use tests::every_step::Spheres;
+use tests::every_step::Triangles;
+use tests::every_step::World;
+use tests::every_step::hit;
+use tests::every_step::miss;
 use tests::step;
+
+checks!(spheres {
+    a_sphere_of_any_radius_has_hits_that_are_numbers,
+    spheres_are_hit_to_within_a_pixel,
+});
+
+checks!(triangles { a_triangle_without_numbers_is_never_hit, triangles_are_hit_to_within_a_pixel });
+
+checks!(scenes {
+    a_sphere_without_extent_or_numbers_is_not_there,
+    a_sphere_of_negative_radius_is_the_same,
+    a_sphere_may_be_around_the_camera,
+    of_two_surfaces_in_one_place_the_first_is_seen,
+    a_triangle_without_area_or_numbers_is_not_there,
+});
+
+checks!(lights { a_light_may_be_on_a_surface, a_light_whose_position_is_no_number_gives_none });
 
 const WIDTH: usize = 48;
 const HEIGHT: usize = 27;
@@ -29,16 +53,6 @@ const HEIGHT: usize = 27;
 /// The radiance of each pixel.
 fn radiance(step: &dyn Step, camera: &dyn Camera) -> Vec<Color> {
     colors(step, camera, WIDTH, HEIGHT)
-}
-
-/// Seen from where the step begins.
-fn seen(step: &dyn Step) -> Vec<Color> {
-    radiance(step, &*step.view().camera(WIDTH as f32 / HEIGHT as f32))
-}
-
-#[track_caller]
-fn assert_finite(pixels: &[Color]) {
-    assert!(pixels.iter().all(|color| color.is_finite()), "a pixel is not a number");
 }
 
 /// What has no number among its three, at each place in turn.
@@ -132,45 +146,6 @@ fn a_camera_that_is_no_number_sees_nothing() {
     }
 }
 
-#[test]
-fn light_that_is_no_number_is_black() {
-    assert_eq!(encode(Color::NAN), [0, 0, 0]);
-    assert_eq!(encode(Color::new(f32::INFINITY, f32::NEG_INFINITY, -1.0)), [255, 0, 0]);
-}
-
-/// Where a ray hits, and the normal there.
-type Hit = Option<(Vec3, Vec3)>;
-type Sphere = fn(Vec3, f32, &Ray) -> Hit;
-type Triangle = fn([Vec3; 3], &Ray) -> Hit;
-
-macro_rules! spheres {
-    ($($step:ident)*) => {
-        &[$((stringify!($step), |center, radius, ray| {
-            let sphere = $step::sphere::Sphere { center, radius };
-            sphere.intersect(ray, 0.0, f32::INFINITY).map(|hit| (hit.point, hit.normal))
-        }),)*]
-    };
-}
-
-macro_rules! triangles {
-    ($($step:ident)*) => {
-        &[$((stringify!($step), |vertices, ray| {
-            let triangle = $step::triangle::Triangle::new(vertices);
-            triangle.intersect(ray, 0.0, f32::INFINITY).map(|hit| (hit.point, hit.normal))
-        }),)*]
-    };
-}
-
-/// Every step that has spheres.
-const SPHERES: &[(&str, Sphere)] = spheres!(
-    step02_sphere step03_triangle step04_scene step05_diffuse step06_shadows step07_specular
-);
-
-/// Every step that has triangles.
-const TRIANGLES: &[(&str, Triangle)] = triangles!(
-    step03_triangle step04_scene step05_diffuse step06_shadows step07_specular
-);
-
 /// Rays from `eye` in many directions.
 fn rays(eye: Vec3) -> impl Iterator<Item = Ray> {
     let steps = || (-4..=4).map(|step| step as f32 / 4.0);
@@ -178,189 +153,154 @@ fn rays(eye: Vec3) -> impl Iterator<Item = Ray> {
     directions.map(move |direction| Ray::new(eye, direction.normalize()))
 }
 
-#[test]
-fn a_sphere_of_any_radius_has_hits_that_are_numbers() {
-    let eye = Vec3::new(0.0, 0.0, 3.0);
-    for (name, intersect) in SPHERES {
-        for ray in rays(eye) {
-            for radius in [0.5, 1.0, 2.9, 3.0, 10.0, 1e6, 1e-3] {
-                let hit = intersect(Vec3::ZERO, radius, &ray);
-                assert_eq!(hit, intersect(Vec3::ZERO, -radius, &ray), "{name}: radius {radius}");
-                if let Some((point, normal)) = hit {
-                    assert!(point.is_finite() && normal.is_normalized(), "{name}: radius {radius}");
-                }
-                // From the inside, every ray hits.
-                assert!(hit.is_some() || radius <= 3.0, "{name}: radius {radius}");
+fn a_sphere_of_any_radius_has_hits_that_are_numbers<S: Spheres>() {
+    let (step, eye) = (S::NAME, Vec3::new(0.0, 0.0, 3.0));
+    let intersect = |center, radius, ray: &Ray| {
+        let hit = S::sphere(Ball { center, radius }, ray, 0.0, f32::INFINITY);
+        hit.map(|hit| (hit.point, hit.normal))
+    };
+    for ray in rays(eye) {
+        for radius in [0.5, 1.0, 2.9, 3.0, 10.0, 1e6, 1e-3] {
+            let hit = intersect(Vec3::ZERO, radius, &ray);
+            assert_eq!(hit, intersect(Vec3::ZERO, -radius, &ray), "{step}: radius {radius}");
+            if let Some((point, normal)) = hit {
+                assert!(point.is_finite() && normal.is_normalized(), "{step}: radius {radius}");
             }
-            for radius in [f32::NAN, 1e30] {
-                assert_eq!(intersect(Vec3::ZERO, radius, &ray), None, "{name}: radius {radius}");
-            }
-            for center in not_numbers(Vec3::ZERO) {
-                assert_eq!(intersect(center, 1.0, &ray), None, "{name}: centre {center}");
-            }
+            // From the inside, every ray hits.
+            assert!(hit.is_some() || radius <= 3.0, "{step}: radius {radius}");
         }
-        // A point is met by no ray but one that leads through it, and then has no normal.
-        let beside = Ray::new(eye, Vec3::new(1e-3, 0.0, -1.0));
-        assert_eq!(intersect(Vec3::ZERO, 0.0, &beside), None, "{name}");
-        let through = Ray::new(eye, Vec3::NEG_Z);
-        assert_eq!(intersect(Vec3::ZERO, 0.0, &through), Some((Vec3::ZERO, Vec3::ZERO)), "{name}");
+        for radius in [f32::NAN, 1e30] {
+            assert_eq!(intersect(Vec3::ZERO, radius, &ray), None, "{step}: radius {radius}");
+        }
+        for center in not_numbers(Vec3::ZERO) {
+            assert_eq!(intersect(center, 1.0, &ray), None, "{step}: centre {center}");
+        }
     }
+    // A point is met by no ray but one that leads through it, and then has no normal.
+    let beside = Ray::new(eye, Vec3::new(1e-3, 0.0, -1.0));
+    assert_eq!(intersect(Vec3::ZERO, 0.0, &beside), None, "{step}");
+    let through = Ray::new(eye, Vec3::NEG_Z);
+    assert_eq!(intersect(Vec3::ZERO, 0.0, &through), Some((Vec3::ZERO, Vec3::ZERO)), "{step}");
 }
 
-#[test]
-fn a_triangle_without_area_or_numbers_is_never_hit() {
+fn a_triangle_without_numbers_is_never_hit<S: Triangles>() {
     let [a, b] = [Vec3::new(-1.0, 0.0, 0.0), Vec3::new(1.0, 0.0, 0.0)];
-    let c = Vec3::new(0.0, 1.0, 0.0);
-    let degenerate = [[a; 3], [a, a, b], [a, b, a], [b, a, a], [a, Vec3::ZERO, b]];
-    let no_numbers = not_numbers(c).flat_map(|c| [[a, b, c], [a, c, b], [c, a, b]]);
-    let triangles: Vec<[Vec3; 3]> = degenerate.into_iter().chain(no_numbers).collect();
-    for (name, intersect) in TRIANGLES {
-        for ray in rays(Vec3::new(0.0, 0.0, 3.0)).chain(rays(Vec3::new(0.25, 0.25, 1.0))) {
-            for triangle in &triangles {
-                assert_eq!(intersect(*triangle, &ray), None, "{name}: {triangle:?}");
-            }
-        }
+    let triangles = not_numbers(Vec3::Y).flat_map(|c| [[a, b, c], [a, c, b], [c, a, b]]);
+    let rays = || rays(Vec3::new(0.0, 0.0, 3.0)).chain(rays(Vec3::new(0.25, 0.25, 1.0)));
+    for (abc, ray) in triangles.flat_map(|abc| rays().map(move |ray| (abc, ray))) {
+        let hit = S::triangle(abc, &ray, 0.0, f32::INFINITY);
+        miss::<S>(hit, "a vertex is not a number: the triangle is nowhere");
     }
 }
 
-/// The changes to the lecture's scene that leave it as it is, or with one object less.
-macro_rules! steps_with_scenes {
-    ($($module:ident: $step:ident),* $(,)?) => {$(
-        mod $module {
-            use $step::Lesson;
-            use $step::scene::Object;
-            use $step::triangle::Triangle;
-
-            use super::*;
-
-            /// The scene after `change`.
-            fn after(change: impl FnOnce(&mut Lesson)) -> Vec<Color> {
-                let mut lesson = Lesson::default();
-                change(&mut lesson);
-                seen(&lesson)
-            }
-
-            fn without_a_sphere() -> Vec<Color> {
-                after(|lesson| {
-                    lesson.scene.spheres.remove(0);
-                })
-            }
-
-            #[test]
-            fn a_sphere_without_extent_or_numbers_is_not_there() {
-                let expected = without_a_sphere();
-                assert_ne!(expected, seen(&Lesson::default()));
-                assert_eq!(after(|lesson| lesson.scene.spheres[0].surface.radius = 0.0), expected);
-                let no_number = after(|lesson| lesson.scene.spheres[0].surface.radius = f32::NAN);
-                assert_eq!(no_number, expected);
-                for center in not_numbers(Vec3::ZERO) {
-                    let changed = after(|lesson| lesson.scene.spheres[0].surface.center = center);
-                    assert_eq!(changed, expected);
-                }
-            }
-
-            #[test]
-            fn a_sphere_of_negative_radius_is_the_same() {
-                let changed = after(|lesson| lesson.scene.spheres[0].surface.radius *= -1.0);
-                assert_eq!(changed, seen(&Lesson::default()));
-            }
-
-            #[test]
-            fn a_sphere_may_be_around_the_camera() {
-                for radius in [0.5, 100.0, 1e6] {
-                    let pixels = after(|lesson| {
-                        let eye = lesson.view().eye();
-                        let sphere = &mut lesson.scene.spheres[0].surface;
-                        (sphere.center, sphere.radius) = (eye, radius);
-                    });
-                    assert_finite(&pixels);
-                    let background = Lesson::default().scene.background;
-                    assert!(pixels.iter().all(|pixel| *pixel != background), "radius {radius}");
-                }
-            }
-
-            #[test]
-            fn of_two_surfaces_in_one_place_the_first_is_seen() {
-                let pixels = after(|lesson| {
-                    let mut copy = lesson.scene.spheres[0].clone();
-                    copy.material = lesson.scene.spheres[1].material;
-                    lesson.scene.spheres.push(copy);
-                    let mut copy = lesson.scene.triangles[0].clone();
-                    copy.material = lesson.scene.spheres[1].material;
-                    lesson.scene.triangles.push(copy);
-                });
-                assert_eq!(pixels, seen(&Lesson::default()));
-            }
-
-            #[test]
-            fn a_triangle_without_area_or_numbers_is_not_there() {
-                let point = Vec3::new(0.0, 1.0, 4.0);
-                let line = [point, point + Vec3::X, point - Vec3::X];
-                let no_number = [point, point + Vec3::X, Vec3::NAN];
-                for vertices in [[point; 3], line, no_number] {
-                    let pixels = after(|lesson| {
-                        let Object { name, material, .. } = lesson.scene.triangles[0].clone();
-                        let surface = Triangle::new(vertices);
-                        lesson.scene.triangles.push(Object { name, material, surface });
-                    });
-                    assert_eq!(pixels, seen(&Lesson::default()), "{vertices:?}");
-                }
-            }
-        }
-    )*};
+/// A sphere in the middle, another and a floor of two triangles in front of it, and a light.
+fn world() -> World {
+    let paint = |color| Paint { k_a: 0.1 * color, k_d: color, k_s: 0.5, exponent: 50.0 };
+    let ball = |x, y, z| Ball { center: Vec3::new(x, y, z), radius: 0.7 };
+    let [a, b, c, d] =
+        [(-4.0, -4.0), (-4.0, 4.0), (4.0, 4.0), (4.0, -4.0)].map(|(x, z)| Vec3::new(x, -0.5, z));
+    let floor = paint(Color::splat(0.5));
+    World {
+        spheres: vec![
+            (ball(0.2, 0.7, 0.0), paint(Color::new(0.8, 0.2, 0.1))),
+            (ball(1.0, 0.2, 1.5), paint(Color::new(0.1, 0.6, 0.2))),
+        ],
+        triangles: vec![([a, b, c], floor), ([a, c, d], floor)],
+        background: Color::new(0.03, 0.05, 0.09),
+        lights: vec![Light::new(Vec3::new(4.0, 6.0, 5.0), 60.0)],
+        ambient: 1.0,
+        ..World::default()
+    }
 }
 
-steps_with_scenes! {
-    scene: step04_scene,
-    diffuse: step05_diffuse,
-    shadows: step06_shadows,
-    specular: step07_specular,
+/// The rays of the pixels, seen from where the step begins.
+fn viewing_rays(step: &dyn Step) -> Vec<Ray> {
+    let camera = step.view().camera(WIDTH as f32 / HEIGHT as f32);
+    let place = |index: usize, count: usize| (index as f32 + 0.5) / count as f32;
+    let pixels = (0..HEIGHT).flat_map(|row| (0..WIDTH).map(move |col| (col, row)));
+    pixels.map(|(col, row)| camera.generate_ray(place(col, WIDTH), place(row, HEIGHT))).collect()
 }
 
-macro_rules! steps_with_lights {
-    ($($module:ident: $step:ident, $light:ident $([$index:literal])?;)*) => {$(
-        mod $module {
-            use $step::Lesson;
-
-            use super::*;
-
-            #[test]
-            fn a_light_may_be_on_a_surface() {
-                let mut lesson = Lesson::default();
-                let camera = lesson.view().camera(1.5);
-                let parts = || (0..16).map(|part| part as f32 / 15.0);
-                let mut hits = 0;
-                for (u, v) in parts().flat_map(|u| parts().map(move |v| (u, v))) {
-                    let ray = camera.generate_ray(u, v);
-                    let hit = lesson.scene.intersect(&ray, 0.0, f32::INFINITY);
-                    let Some(point) = hit.map(|(record, _)| record.point) else { continue };
-                    lesson.scene.$light$([$index])?.position = point;
-                    assert!(lesson.trace(&ray).is_finite(), "with the light at {point}");
-                    hits += 1;
-                }
-                assert!(hits > 100);
-            }
-
-            #[test]
-            fn a_light_whose_position_is_no_number_gives_none() {
-                let mut dark = Lesson::default();
-                dark.scene.$light$([$index])?.intensity = 0.0;
-                let dark = seen(&dark);
-                assert_ne!(dark, seen(&Lesson::default()));
-                for position in not_numbers(Vec3::new(4.0, 6.0, 5.0)) {
-                    let mut lesson = Lesson::default();
-                    lesson.scene.$light$([$index])?.position = position;
-                    assert_eq!(seen(&lesson), dark);
-                }
-            }
-        }
-    )*};
+/// What the step shows of [`world`] after `change`.
+fn after<S: Scenes>(change: impl FnOnce(&mut World)) -> Vec<Color> {
+    let mut world = world();
+    change(&mut world);
+    let scene = S::scene(&world);
+    viewing_rays(&S::default()).iter().map(|ray| S::trace(&scene, ray)).collect()
 }
 
-steps_with_lights! {
-    diffuse_light: step05_diffuse, light;
-    shadows_light: step06_shadows, lights[0];
-    specular_light: step07_specular, lights[0];
+fn unchanged<S: Scenes>() -> Vec<Color> {
+    after::<S>(|_| ())
+}
+
+fn a_sphere_without_extent_or_numbers_is_not_there<S: Scenes>() {
+    let expected = after::<S>(|world| world.spheres = world.spheres[1..].to_vec());
+    assert_ne!(expected, unchanged::<S>());
+    for radius in [0.0, f32::NAN] {
+        let found = after::<S>(|world| world.spheres[0].0.radius = radius);
+        assert_eq!(found, expected, "{}: radius {radius}", S::NAME);
+    }
+    for center in not_numbers(Vec3::ZERO) {
+        let found = after::<S>(|world| world.spheres[0].0.center = center);
+        assert_eq!(found, expected, "{}: centre {center}", S::NAME);
+    }
+}
+
+fn a_sphere_of_negative_radius_is_the_same<S: Scenes>() {
+    let found = after::<S>(|world| world.spheres[0].0.radius *= -1.0);
+    assert_eq!(found, unchanged::<S>(), "{}", S::NAME);
+}
+
+fn a_sphere_may_be_around_the_camera<S: Scenes>() {
+    let (center, background) = (S::default().view().eye(), world().background);
+    for radius in [0.5, 100.0, 1e6] {
+        let pixels = after::<S>(|world| world.spheres[0].0 = Ball { center, radius });
+        let seen = |pixel: &Color| pixel.is_finite() && *pixel != background;
+        assert!(pixels.iter().all(seen), "{}: radius {radius}", S::NAME);
+    }
+}
+
+fn of_two_surfaces_in_one_place_the_first_is_seen<S: Scenes>() {
+    let pixels = after::<S>(|world| {
+        let other = world.spheres[1].1;
+        world.spheres.push((world.spheres[0].0, other));
+        world.triangles.push((world.triangles[0].0, other));
+    });
+    assert_eq!(pixels, unchanged::<S>(), "{}", S::NAME);
+}
+
+fn a_triangle_without_area_or_numbers_is_not_there<S: Scenes>() {
+    let point = Vec3::new(0.0, 1.0, 4.0);
+    let line = [point, point + Vec3::X, point - Vec3::X];
+    let no_number = [point, point + Vec3::X, Vec3::NAN];
+    for abc in [[point; 3], line, no_number] {
+        let paint = Paint::matte(Color::ONE);
+        let pixels = after::<S>(|world| world.triangles.push((abc, paint)));
+        assert_eq!(pixels, unchanged::<S>(), "{}: {abc:?}", S::NAME);
+    }
+}
+
+fn a_light_may_be_on_a_surface<S: Lights>() {
+    let mut world = world();
+    let scene = S::scene(&world);
+    let mut hits = 0;
+    for ray in viewing_rays(&S::default()) {
+        let Some((hit, _)) = S::closest(&scene, &ray, 0.0, f32::INFINITY) else { continue };
+        world.lights[0].position = hit.point;
+        let color = S::trace(&S::scene(&world), &ray);
+        assert!(color.is_finite(), "{}: with the light at {}", S::NAME, hit.point);
+        hits += 1;
+    }
+    assert!(hits > 100);
+}
+
+fn a_light_whose_position_is_no_number_gives_none<S: Lights>() {
+    let dark = after::<S>(|world| world.lights[0].intensity = 0.0);
+    assert_ne!(dark, unchanged::<S>());
+    for position in not_numbers(Vec3::new(4.0, 6.0, 5.0)) {
+        let found = after::<S>(|world| world.lights[0].position = position);
+        assert_eq!(found, dark, "{}: {position}", S::NAME);
+    }
 }
 
 /// A pixel of the lecture's picture, as an angle.
@@ -390,21 +330,24 @@ fn cone(angle: f64) -> impl Iterator<Item = Vec3> {
 /// # Panics
 ///
 /// When a tenth of a pixel inside the silhouette there is no hit, or a tenth outside there is one.
-fn worst_of_sphere(intersect: Sphere, radius: f64, height: f64, offset: f64) -> f64 {
+fn worst_of_sphere<S: Spheres>(radius: f64, height: f64, offset: f64) -> f64 {
     let eye = (offset * DVec3::new(1.0, -0.7, 0.4)).as_vec3a();
     let center = (eye.as_dvec3() + (radius + height) * frame()[0]).as_vec3a();
     let radius = radius as f32;
+    let intersect = |direction| {
+        S::sphere(Ball { center, radius }, &Ray::new(eye, direction), 0.0, f32::INFINITY)
+    };
     // From here on the numbers in f32 are taken at their word.
     let distance = center.as_dvec3().distance(eye.as_dvec3());
     let silhouette = (f64::from(radius) / distance).asin();
     let margin = 0.1 * pixel();
     for direction in cone(silhouette + margin) {
-        assert_eq!(intersect(center, radius, &Ray::new(eye, direction)), None);
+        miss::<S>(intersect(direction), "a tenth of a pixel outside the silhouette");
     }
     let angles = (0..=64).map(|part| (silhouette - margin) * f64::from(part) / 64.0);
     let offs = angles.flat_map(cone).map(|direction| {
-        let hit = intersect(center, radius, &Ray::new(eye, direction));
-        let point = hit.expect("a hit inside the silhouette").0.as_dvec3();
+        let hit = hit::<S>(intersect(direction), "a tenth of a pixel inside the silhouette");
+        let point = hit.point.as_dvec3();
         let off = point.distance(center.as_dvec3()) - f64::from(radius);
         off.abs() / (pixel() * point.distance(eye.as_dvec3()))
     });
@@ -420,23 +363,21 @@ fn worst_of_sphere(intersect: Sphere, radius: f64, height: f64, offset: f64) -> 
 /// - Close above a large sphere `f32` gives way at a height of 10⁻⁴ radii, where a hit is off by a
 ///   pixel: a ground of radius 1000 is good for an eye at 0.2, one of radius 10⁶ for an eye at 200.
 /// - Far from the world's origin it gives way at some 10⁴ times the viewer's distance.
-#[test]
-fn spheres_are_hit_to_within_a_pixel() {
-    for (name, intersect) in SPHERES {
-        for radius in [1e-3, 1.0, 1e3, 1e6] {
-            for height in [1e4, 1e3, 100.0, 10.0, 1.0].map(|radii| radii * radius) {
-                let off = worst_of_sphere(*intersect, radius, height, 0.0);
-                assert!(off < 1e-3, "{name}: {off} pixels at {height} over radius {radius}");
-            }
-            for height in [0.1, 0.01, 1e-3, 2e-4].map(|radii| radii * radius) {
-                let off = worst_of_sphere(*intersect, radius, height, 0.0);
-                assert!(off < 1.0, "{name}: {off} pixels at {height} over radius {radius}");
-            }
+fn spheres_are_hit_to_within_a_pixel<S: Spheres>() {
+    let step = S::NAME;
+    for radius in [1e-3, 1.0, 1e3, 1e6] {
+        for height in [1e4, 1e3, 100.0, 10.0, 1.0].map(|radii| radii * radius) {
+            let off = worst_of_sphere::<S>(radius, height, 0.0);
+            assert!(off < 1e-3, "{step}: {off} pixels at {height} over radius {radius}");
         }
-        for offset in [10.0, 100.0, 1e3, 1e4] {
-            let off = worst_of_sphere(*intersect, 1.0, 6.0, offset);
-            assert!(off < 1.0, "{name}: {off} pixels at {offset} from the origin");
+        for height in [0.1, 0.01, 1e-3, 2e-4].map(|radii| radii * radius) {
+            let off = worst_of_sphere::<S>(radius, height, 0.0);
+            assert!(off < 1.0, "{step}: {off} pixels at {height} over radius {radius}");
         }
+    }
+    for offset in [10.0, 100.0, 1e3, 1e4] {
+        let off = worst_of_sphere::<S>(1.0, 6.0, offset);
+        assert!(off < 1.0, "{step}: {off} pixels at {offset} from the origin");
     }
 }
 
@@ -446,7 +387,7 @@ fn spheres_are_hit_to_within_a_pixel() {
 /// # Panics
 ///
 /// When a point inside is missed, or one outside is hit.
-fn worst_of_triangle(intersect: Triangle, size: f64, height: f64, offset: f64) -> f64 {
+fn worst_of_triangle<S: Triangles>(size: f64, height: f64, offset: f64) -> f64 {
     let [axis, right, up] = frame();
     let eye = (offset * DVec3::new(1.0, -0.7, 0.4)).as_vec3a();
     let vertices = [0.0, 1.0, 2.0].map(|third: f64| {
@@ -461,11 +402,12 @@ fn worst_of_triangle(intersect: Triangle, size: f64, height: f64, offset: f64) -
     let parts = || (-8..=24).map(|part| (f64::from(part) + 0.4) / 17.0);
     for (beta, gamma) in parts().flat_map(|beta| parts().map(move |gamma| (beta, gamma))) {
         let aim = a + beta * (b - a) + gamma * (c - a) - eye.as_dvec3();
-        let hit = intersect(vertices, &Ray::new(eye, aim.normalize().as_vec3a()));
+        let ray = Ray::new(eye, aim.normalize().as_vec3a());
+        let hit = S::triangle(vertices, &ray, 0.0, f32::INFINITY);
         let inside = beta > 0.0 && gamma > 0.0 && beta + gamma < 1.0;
-        assert_eq!(hit.is_some(), inside, "at β {beta}, γ {gamma}");
-        if let Some((point, _)) = hit {
-            let off = normal.dot(point.as_dvec3() - a).abs();
+        assert_eq!(hit.is_some(), inside, "{}: at β {beta}, γ {gamma}", S::NAME);
+        if let Some(hit) = hit {
+            let off = normal.dot(hit.point.as_dvec3() - a).abs();
             worst = worst.max(off / (pixel() * aim.length()));
         }
     }
@@ -475,18 +417,16 @@ fn worst_of_triangle(intersect: Triangle, size: f64, height: f64, offset: f64) -
 /// For triangles nothing gives way but far from the world's origin: not with vertices a hundred
 /// thousand times as far away as the viewer is above their plane, nor seen from ten thousand times
 /// their size.
-#[test]
-fn triangles_are_hit_to_within_a_pixel() {
-    for (name, intersect) in TRIANGLES {
-        for size in [1e-3, 1.0, 1e3, 1e6] {
-            for height in [1e4, 1e3, 100.0, 10.0, 1.0, 0.1, 0.01, 1e-3, 1e-4, 1e-5] {
-                let off = worst_of_triangle(*intersect, size, height * size, 0.0);
-                assert!(off < 0.01, "{name}: {off} pixels at {height} sizes over size {size}");
-            }
+fn triangles_are_hit_to_within_a_pixel<S: Triangles>() {
+    let step = S::NAME;
+    for size in [1e-3, 1.0, 1e3, 1e6] {
+        for height in [1e4, 1e3, 100.0, 10.0, 1.0, 0.1, 0.01, 1e-3, 1e-4, 1e-5] {
+            let off = worst_of_triangle::<S>(size, height * size, 0.0);
+            assert!(off < 0.01, "{step}: {off} pixels at {height} sizes over size {size}");
         }
-        for offset in [10.0, 100.0, 1e3, 1e4] {
-            let off = worst_of_triangle(*intersect, 1.0, 6.0, offset);
-            assert!(off < 1.0, "{name}: {off} pixels at {offset} from the origin");
-        }
+    }
+    for offset in [10.0, 100.0, 1e3, 1e4] {
+        let off = worst_of_triangle::<S>(1.0, 6.0, offset);
+        assert!(off < 1.0, "{step}: {off} pixels at {offset} from the origin");
     }
 }

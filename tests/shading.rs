@@ -331,8 +331,10 @@ fn what_leaves_for_the_screen_is_srgb_encoded() {
     }
     let [red, green, blue] = encode(Color::new(0.5, 0.2, 0.0));
     assert!(red > green && green > blue, "the channels keep their order: {red} {green} {blue}");
-    let clamped = encode(Color::new(-1.0, 7.0, f32::NAN));
-    assert_eq!(clamped, [0, 255, 0], "clamped to [0, 1]; no number is black");
+    for [low, high] in [[-1.0, 7.0], [f32::NEG_INFINITY, f32::INFINITY]] {
+        let clamped = encode(Color::new(low, high, f32::NAN));
+        assert_eq!(clamped, [0, 255, 0], "clamped to [0, 1]; no number is black");
+    }
 }
 
 #[test]
