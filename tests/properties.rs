@@ -412,8 +412,7 @@ fn extreme_point() -> impl Strategy<Value = Vec3> {
     prop_oneof![2 => any, 1 => select(&[Vec3::ZERO, Vec3::ONE, Vec3::X, Vec3::NEG_Y][..])]
 }
 
-/// Worlds whose coordinates, radii and intensities are [`extreme`], k from 0 to 1 and p from 1 to
-/// 1000: spheres without a radius, triangles without area, lights on surfaces among them.
+/// Worlds of [`extreme`] numbers, those of light and of materials not negative: spheres without a radius, triangles without area, lights on surfaces among them.
 fn extreme_world() -> impl Strategy<Value = World> {
     let ball = (extreme_point(), extreme()).prop_map(|(center, radius)| Ball { center, radius });
     let light = (extreme_point(), extreme(), any::<bool>()).prop_map(
@@ -422,6 +421,15 @@ fn extreme_world() -> impl Strategy<Value = World> {
             Light { position, intensity, attenuation }
         },
     );
+    let color = || [extreme(), extreme(), extreme()].prop_map(|color| Color::from(color).abs());
+    let paint = || {
+        (color(), color(), extreme(), extreme()).prop_map(|(k_a, k_d, k_s, exponent)| Paint {
+            k_a,
+            k_d,
+            k_s: k_s.abs(),
+            exponent: exponent.abs(),
+        })
+    };
     let abc = [extreme_point(), extreme_point(), extreme_point()];
     let surfaces = (vec((ball, paint()), 0..4), vec((abc, paint()), 0..4));
     (surfaces, vec(light, 0..4), extreme(), extreme(), any::<[bool; 2]>()).prop_map(
