@@ -291,10 +291,7 @@ macro_rules! scenes {
             }
 
             fn closest(
-                scene: &Self::Scene,
-                ray: &Ray,
-                t_min: f32,
-                t_max: f32,
+                scene: &Self::Scene, ray: &Ray, t_min: f32, t_max: f32,
             ) -> Option<(Hit, Color)> {
                 let (record, object) = scene.intersect(ray, t_min, t_max)?;
                 hit!(Some(record)).zip(Some($k_d(object.material)))

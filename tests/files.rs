@@ -412,10 +412,7 @@ mod ended {
 
 /// A PNG of `width` × `height` pixels with `data` for its rows.
 fn png(
-    (width, height): (u32, u32),
-    color: ColorType,
-    depth: BitDepth,
-    palette: Option<Vec<u8>>,
+    (width, height): (u32, u32), color: ColorType, depth: BitDepth, palette: Option<Vec<u8>>,
     data: &[u8],
 ) -> Vec<u8> {
     let mut bytes = Vec::new();

@@ -126,11 +126,7 @@ pub fn read_picture(path: &Path) -> RgbImage {
 ///
 /// When the folder cannot be written to.
 pub fn compare(
-    name: &str,
-    expected: &RgbImage,
-    found: &RgbImage,
-    others: &[(&str, RgbImage)],
-    folder: &Path,
+    name: &str, expected: &RgbImage, found: &RgbImage, others: &[(&str, RgbImage)], folder: &Path,
 ) -> Result<Comparison, String> {
     let comparison = Comparison::new(expected, found, others);
     if comparison.is_equal() {
@@ -152,10 +148,7 @@ pub fn compare(
 ///
 /// When a file cannot be written.
 pub fn hold_picture(
-    path: &Path,
-    found: &RgbImage,
-    others: &[(&str, RgbImage)],
-    folder: &Path,
+    path: &Path, found: &RgbImage, others: &[(&str, RgbImage)], folder: &Path,
 ) -> Result<(), String> {
     if updating_snapshots() {
         if !path.exists() || read_picture(path) != *found {

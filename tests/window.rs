@@ -178,11 +178,7 @@ fn glyph(character: char) -> [[bool; 10]; 20] {
 
 /// Whether `text` stands at (`left`, `top`), letter for letter.
 fn reads(
-    screen: &RgbImage,
-    glyphs: &[[[bool; 10]; 20]],
-    color: Rgb<u8>,
-    left: u32,
-    top: u32,
+    screen: &RgbImage, glyphs: &[[[bool; 10]; 20]], color: Rgb<u8>, left: u32, top: u32,
 ) -> bool {
     (0..20).all(|y| {
         glyphs.iter().flat_map(|glyph| glyph[y as usize]).zip(left..).all(|(ink, x)| {

@@ -122,10 +122,7 @@ fn encode_to(pixel: [u8; 3], encoded: [u8; 3], exponent: f32) -> bool {
 /// What would make the pictures equal: the first of the known mistakes that explains nine in ten
 /// of the `strays`.
 fn hint(
-    expected: &RgbImage,
-    found: &RgbImage,
-    others: &[(&str, RgbImage)],
-    strays: usize,
+    expected: &RgbImage, found: &RgbImage, others: &[(&str, RgbImage)], strays: usize,
 ) -> Option<String> {
     let (right, bottom) = (expected.width() - 1, expected.height() - 1);
     let at = |col, row| expected.get_pixel(col, row).0;

@@ -1,43 +1,100 @@
 use std::fmt;
 
 use crate::Color;
+use crate::Listener;
 use crate::Pixel;
+use crate::Ray;
 use crate::Vec3;
 use crate::encode;
 
-/// One pixel's equations with their numbers, in the slides' symbols.
+/// One pixel's equations with their numbers, in the slides' symbols and in the order in which they
+/// were computed: what a step tells a [`Listener`], written down.
 ///
-/// A plain value: a list of entries that any front end can show, and the colour they lead to.
-/// As text its columns are aligned, and no line is longer than 100 characters.
+/// A plain value that any front end can show, fold and draw. As text no line is longer than 100
+/// characters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Explanation {
     /// The pixel spoken of.
     pub pixel: Pixel,
     /// Its radiance, linear: what the picture shows there.
     pub color: Color,
-    entries: Vec<Entry>,
+    /// What was told.
+    pub sections: Vec<Section>,
+    terms: Vec<(&'static str, Color)>,
 }
 
-/// A line of an [`Explanation`].
+/// A part of the algorithm.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Entry {
-    /// What the lines below speak of.
-    Heading(String),
-    /// A symbol or an equation's left and right side, and its value.
-    Equation(String, Value),
+pub struct Section {
+    /// What it does.
+    pub name: &'static str,
+    /// The first group has no name: its lines speak of the section as a whole.
+    pub groups: Vec<Group>,
+}
+
+/// What was told of one object or light.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// The object or light.
+    pub name: &'static str,
+    /// What came of it.
+    pub outcome: Outcome,
+    /// The lines in the order in which they were told.
+    pub lines: Vec<Line>,
+}
+
+/// What came of an object or a light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Outcome {
+    /// It was computed.
+    Told,
+    /// It was not hit: why, and the condition that says so.
+    Missed(&'static str, &'static str),
+    /// It was hit at this t, and nothing closer was found.
+    Closest(f32),
+    /// It was hit at this t, and later something closer was found.
+    Farther(f32),
+}
+
+/// A symbol or an equation and its value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// A symbol, or both sides of an equation.
+    pub equation: &'static str,
+    /// Its value.
+    pub value: Value,
+    /// Where it is in the world, if it is a thing that can be seen there.
+    pub place: Option<Place>,
+}
+
+/// Where something told is in the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Place {
+    /// At a point.
+    Point(Vec3),
+    /// Where t is on a ray.
+    Along(Ray, f32),
+    /// A vector, with the point that it starts from.
+    Arrow(Vec3, Vec3),
+    /// A ray from t = 0 to a t; ∞ where the end is not known.
+    Ray(Ray, f32),
+    /// A triangle.
+    Area([Vec3; 3]),
 }
 
 /// The value of a symbol.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
     /// A number.
     Number(f32),
-    /// A position in normalized coordinates or in pixels.
+    /// A position in normalized coordinates.
     Pair(f32, f32),
     /// A point, a direction or a colour.
     Vector(Vec3),
+    /// A part of a sum, or a sum, in millionths: rounded so that the parts add up.
+    Share([i64; 3]),
     /// A word.
-    Word(String),
+    Word(&'static str),
 }
 
 impl From<f32> for Value {
@@ -58,70 +115,226 @@ impl From<Vec3> for Value {
     }
 }
 
-impl From<&str> for Value {
-    fn from(word: &str) -> Self {
-        Self::Word(word.to_owned())
+/// The digits of a number alone, and of each of several: nearly all that an `f32` has, so that who
+/// goes on computing with what is shown gets the next line.
+const DIGITS: (usize, usize) = (7, 6);
+
+/// From here on, and below one part in that many, numbers are written with a power of ten.
+const POWERS: f32 = 1e4;
+
+/// `number` with as many decimals as `digits` digits of `largest` have.
+fn decimal(number: f32, largest: f32, digits: usize) -> String {
+    let largest = largest.abs();
+    if number == 0.0 || largest == 0.0 {
+        return "0".to_owned();
     }
+    if !number.is_finite() {
+        return number.to_string();
+    }
+    if !(1.0 / POWERS..100.0 * POWERS).contains(&largest) {
+        return format!("{number:.*e}", digits.min(5) - 1);
+    }
+    let whole = largest.log10().floor().max(-1.0) as i32 + 1;
+    let decimals = (digits as i32 - whole).max(0) as usize;
+    let text = format!("{number:.decimals$}");
+    let text = match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.'),
+        false => &text,
+    };
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+impl Value {
+    /// The value's numbers as they are shown, each with its sign or a space; a word as it is.
+    ///
+    /// What is too small beside the other numbers of a vector to be seen is 0.
+    pub fn texts(&self) -> Vec<String> {
+        let several = |numbers: &[f32]| {
+            let largest = numbers.iter().fold(0.0_f32, |largest, number| largest.max(number.abs()));
+            numbers.iter().map(|number| signed(decimal(*number, largest, DIGITS.1))).collect()
+        };
+        match self {
+            Self::Number(number) => vec![signed(decimal(*number, *number, DIGITS.0))],
+            Self::Pair(a, b) => several(&[*a, *b]),
+            Self::Vector(v) => several(&v.to_array()),
+            Self::Share(millionths) => millionths.iter().map(|part| signed(share(*part))).collect(),
+            Self::Word(word) => vec![(*word).to_owned()],
+        }
+    }
+}
+
+/// Millionths as a number with six decimals.
+fn share(millionths: i64) -> String {
+    let sign = if millionths < 0 { "-" } else { "" };
+    let size = millionths.unsigned_abs();
+    format!("{sign}{}.{:06}", size / 1_000_000, size % 1_000_000)
+}
+
+/// The parts of a sum and the sum, in millionths. What rounding leaves is put into the largest
+/// part, as in a table that has to add up.
+fn add_up(terms: &[(&'static str, Color)], total: Color) -> (Vec<Value>, Value) {
+    let millionths =
+        |light: Color| light.to_array().map(|part| (f64::from(part) * 1e6).round() as i64);
+    let mut shares: Vec<[i64; 3]> = terms.iter().map(|(_, light)| millionths(*light)).collect();
+    let whole = millionths(total);
+    for channel in 0..3 {
+        let rest =
+            shares.iter().fold(whole[channel], |rest, part| rest.saturating_sub(part[channel]));
+        if let Some(largest) = shares.iter_mut().max_by_key(|part| part[channel]) {
+            largest[channel] = largest[channel].saturating_add(rest);
+        }
+    }
+    (shares.into_iter().map(Value::Share).collect(), Value::Share(whole))
+}
+
+fn signed(text: String) -> String {
+    if text.starts_with('-') { text } else { format!(" {text}") }
 }
 
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Number(number) => write!(f, "{}", Decimal(*number)),
-            Self::Pair(a, b) => write!(f, "{} {}", Decimal(*a), Decimal(*b)),
-            Self::Vector(v) => {
-                write!(f, "{} {} {}", Decimal(v.x), Decimal(v.y), Decimal(v.z))
-            }
-            Self::Word(word) => f.write_str(word),
-        }
-    }
-}
-
-/// Three decimals, right-aligned; scientific where three decimals would show a wrong zero or push
-/// the column aside.
-struct Decimal(f32);
-
-impl fmt::Display for Decimal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let number = self.0;
-        if number != 0.0 && (number.abs() < 0.000_5 || number.abs() >= 100_000.0) {
-            write!(f, "{number:>10.2e}")
-        } else {
-            write!(f, "{:>10.3}", number + 0.0)
-        }
+        let texts: Vec<String> = self.texts().iter().map(|text| format!("{text:<11}")).collect();
+        f.write_str(texts.concat().trim_end())
     }
 }
 
 impl Explanation {
-    /// That `pixel` has the radiance `color`; why is still to be added.
-    pub fn new(pixel: Pixel, color: Color) -> Self {
-        Self { pixel, color, entries: Vec::new() }
+    /// Nothing is told of `pixel` yet.
+    pub fn new(pixel: Pixel) -> Self {
+        Self { pixel, color: Color::ZERO, sections: Vec::new(), terms: Vec::new() }
     }
 
-    /// Begins a group of lines.
-    pub fn heading(&mut self, text: &str) {
-        self.entries.push(Entry::Heading(text.to_owned()));
+    /// That `color` is what the pixel shows; nothing more will be told.
+    pub fn seen(mut self, color: Color) -> Self {
+        self.color = color;
+        self
     }
 
-    /// Adds a line: a symbol, or both sides of an equation, and its value.
-    pub fn line(&mut self, equation: &str, value: impl Into<Value>) {
-        let entry = Entry::Equation(equation.to_owned(), value.into());
-        self.entries.push(entry);
-    }
-
-    /// The lines in the order in which they were added.
-    pub fn entries(&self) -> &[Entry] {
-        &self.entries
+    /// All lines in the order in which they were told.
+    pub fn lines(&self) -> impl Iterator<Item = &Line> {
+        self.sections.iter().flat_map(|section| &section.groups).flat_map(|group| &group.lines)
     }
 
     /// The value of the first line that is `symbol`, or an equation with it as the left side.
-    pub fn value(&self, symbol: &str) -> Option<&Value> {
-        self.entries.iter().find_map(|entry| match entry {
-            Entry::Equation(equation, value) if equation.split(" = ").next() == Some(symbol) => {
-                Some(value)
+    pub fn value(&self, symbol: &str) -> Option<Value> {
+        self.lines().find(|line| line.symbol() == symbol).map(|line| line.value)
+    }
+
+    fn last_section(&mut self) -> &mut Section {
+        if self.sections.is_empty() {
+            self.section("");
+        }
+        let last = self.sections.len() - 1;
+        &mut self.sections[last]
+    }
+
+    fn last_group(&mut self) -> &mut Group {
+        let groups = &mut self.last_section().groups;
+        let last = groups.len() - 1;
+        &mut groups[last]
+    }
+
+    fn tell(&mut self, equation: &'static str, value: impl Into<Value>, place: Option<Place>) {
+        let value = value.into();
+        self.last_group().lines.push(Line { equation, value, place });
+    }
+}
+
+impl Line {
+    /// The symbol that the line gives a value to: the equation's left side.
+    pub fn symbol(&self) -> &'static str {
+        self.equation.split(" = ").next().unwrap_or(self.equation)
+    }
+}
+
+impl Group {
+    fn new(name: &'static str) -> Self {
+        Self { name, outcome: Outcome::Told, lines: Vec::new() }
+    }
+
+    /// Whether it is worth reading at first: not if it is about an object that is not seen.
+    pub fn is_open(&self) -> bool {
+        matches!(self.outcome, Outcome::Told | Outcome::Closest(_))
+    }
+}
+
+impl Listener for Explanation {
+    fn section(&mut self, name: &'static str) {
+        self.sections.push(Section { name, groups: vec![Group::new("")] });
+    }
+
+    fn group(&mut self, name: &'static str) {
+        self.last_section().groups.push(Group::new(name));
+    }
+
+    fn line<T: Copy + Into<Value>>(&mut self, equation: &'static str, value: T) -> T {
+        self.tell(equation, value, None);
+        value
+    }
+
+    fn word(&mut self, symbol: &'static str, word: &'static str) {
+        self.tell(symbol, Value::Word(word), None);
+    }
+
+    fn miss<T>(&mut self, why: &'static str, condition: &'static str) -> Option<T> {
+        self.tell(why, Value::Word(condition), None);
+        self.last_group().outcome = Outcome::Missed(why, condition);
+        None
+    }
+
+    fn closest(&mut self, symbol: &'static str, t: f32) -> f32 {
+        self.tell(symbol, t, None);
+        for group in &mut self.last_section().groups {
+            if let Outcome::Closest(t) = group.outcome {
+                group.outcome = Outcome::Farther(t);
             }
-            _ => None,
-        })
+        }
+        self.last_group().outcome = Outcome::Closest(t);
+        t
+    }
+
+    fn point(&mut self, equation: &'static str, at: Vec3) -> Vec3 {
+        self.tell(equation, at, Some(Place::Point(at)));
+        at
+    }
+
+    fn along(&mut self, equation: &'static str, ray: &Ray, t: f32) -> f32 {
+        self.tell(equation, t, Some(Place::Along(*ray, t)));
+        t
+    }
+
+    fn arrow(&mut self, equation: &'static str, from: Vec3, direction: Vec3) -> Vec3 {
+        self.tell(equation, direction, Some(Place::Arrow(from, direction)));
+        direction
+    }
+
+    fn ray(&mut self, equation: &'static str, ray: &Ray, t: f32) {
+        self.tell(equation, ray.direction, Some(Place::Ray(*ray, t)));
+    }
+
+    fn area(&mut self, equation: &'static str, corners: [Vec3; 3], weight: f32) -> f32 {
+        self.tell(equation, weight, Some(Place::Area(corners)));
+        weight
+    }
+
+    fn term(&mut self, equation: &'static str, light: Color) -> Color {
+        self.tell(equation, light, None);
+        let name = match self.last_group().name {
+            "" => equation.split(" = ").next().unwrap_or(equation),
+            name => name,
+        };
+        self.terms.push((name, light));
+        light
+    }
+
+    fn sum(&mut self, symbol: &'static str, total: Color) -> Color {
+        let terms = std::mem::take(&mut self.terms);
+        let (shares, whole) = add_up(&terms, total);
+        for ((name, _), share) in terms.into_iter().zip(shares) {
+            self.tell(name, share, None);
+        }
+        self.tell(symbol, whole, None);
+        total
     }
 }
 
@@ -129,15 +342,29 @@ impl fmt::Display for Explanation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Pixel { col, row, width, height } = self.pixel;
         writeln!(f, "pixel ({col}, {row}) of {width}x{height}")?;
-        for entry in &self.entries {
-            match entry {
-                Entry::Heading(text) => writeln!(f, "{text}")?,
-                Entry::Equation(equation, value) => writeln!(f, "  {equation:<45} {value}")?,
+        for section in &self.sections {
+            writeln!(f, "{}", section.name)?;
+            for group in &section.groups {
+                match group.outcome {
+                    Outcome::Missed(why, condition) => {
+                        writeln!(f, "  {:<48} {why}: {condition}", group.name)?;
+                        continue;
+                    }
+                    Outcome::Farther(t) => {
+                        writeln!(f, "  {:<48}{}", group.name, Value::Number(t))?;
+                        continue;
+                    }
+                    _ if group.name.is_empty() => {}
+                    _ => writeln!(f, "  {}", group.name)?,
+                }
+                for line in &group.lines {
+                    writeln!(f, "    {:<45}{}", line.equation, line.value)?;
+                }
             }
         }
         let [r, g, b] = encode(self.color);
         writeln!(f, "seen")?;
-        writeln!(f, "  {:<45} {}", "L", Value::Vector(self.color))?;
-        writeln!(f, "  {:<45} {r:>10} {g:>10} {b:>10}", "sRGB, 0 to 255")
+        writeln!(f, "    {:<45}{}", "L", Value::Vector(self.color))?;
+        writeln!(f, "    {:<45} {r:<10} {g:<10} {b}", "sRGB, 0 to 255")
     }
 }

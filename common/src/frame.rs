@@ -126,6 +126,23 @@ pub struct Frame<'a> {
     pub samples: usize,
 }
 
+/// Whether the pixel loop of `step` keeps to the rows that it is asked for.
+///
+/// # Errors
+///
+/// When it does not: what to loop over, in one sentence.
+pub fn check_loop(step: &dyn Step) -> Result<(), String> {
+    let mut colors = [Color::ZERO; 3];
+    let mut image = Image::new(3, 4, 2, &mut colors);
+    step.render(&*step.view().camera(3.0 / 4.0), &mut image);
+    image.stray().map_or(Ok(()), |(col, row)| {
+        Err(format!(
+            "asked for row 2 of a 3x4 picture, the pixel loop sets column {col} of row {row}: \
+             loop over image.rows() and 0..image.width()"
+        ))
+    })
+}
+
 impl Frame<'_> {
     /// Renders rows into `rgb`, three bytes a pixel, from `first_row` on, as many as fit.
     ///

@@ -2,7 +2,7 @@
 //! and, with the default feature `desktop`, the command line, files and the window.
 //!
 //! A step hands over a [`Step`]: a plain value that renders rows of pixels, lists what can be
-//! changed in it, and explains a pixel. Nothing here knows of spheres, scenes or light, and no step
+//! changed in it, and tells a [`Listener`] how a pixel came by its colour. Nothing here knows of spheres, scenes or light, and no step
 //! knows of windows, files or threads. Without `desktop`, nothing asks for a clock, a thread or a
 //! file, so that another front end, such as a browser's, can show a [`Frame`], a [`Control`] and an
 //! [`Explanation`].
@@ -24,12 +24,18 @@ mod explanation;
 #[cfg(feature = "figures")]
 mod figure;
 mod frame;
+mod image;
+mod listener;
+pub mod prelude;
 mod ray;
-mod rows;
+mod setup;
+mod srgb;
 mod step;
 mod vector;
 mod view;
 
+pub use self::image::Image;
+pub use self::image::Pixel;
 pub use camera::Camera;
 pub use camera::FIELD_OF_VIEW;
 pub use camera::OrthographicCamera;
@@ -39,13 +45,18 @@ pub use compare::Difference;
 pub use compare::TOLERANCE;
 pub use compare::side_by_side;
 pub use control::Control;
+pub use control::Controls;
 pub use control::Refused;
 #[cfg(feature = "figures")]
 pub use desktop::figure;
 #[cfg(feature = "desktop")]
 pub use desktop::main;
-pub use explanation::Entry;
 pub use explanation::Explanation;
+pub use explanation::Group;
+pub use explanation::Line;
+pub use explanation::Outcome;
+pub use explanation::Place;
+pub use explanation::Section;
 pub use explanation::Value;
 #[cfg(feature = "figures")]
 pub use figure::Canvas;
@@ -54,11 +65,17 @@ pub use figure::Figure;
 pub use frame::Frame;
 pub use frame::Size;
 pub use frame::SizeError;
+pub use frame::check_loop;
+pub use listener::Listener;
+pub use listener::Silent;
 pub use ray::Ray;
-pub use rows::Image;
-pub use rows::Pixel;
-pub use rows::encode;
+pub use setup::Handle;
+pub use setup::Setting;
+pub use setup::SettingError;
+pub use setup::Setup;
+pub use srgb::encode;
 pub use step::Step;
 pub use vector::Color;
 pub use vector::Vec3;
+pub use view::Projection;
 pub use view::View;

@@ -1,5 +1,5 @@
 use crate::Camera;
-use crate::Control;
+use crate::Controls;
 use crate::Explanation;
 use crate::Image;
 use crate::Pixel;
@@ -12,12 +12,11 @@ pub trait Step: Sync {
 
     /// What can be changed while looking. Asked for anew after each change, because one control
     /// may decide what the next one acts on.
-    fn controls(&mut self) -> Vec<Control<'_>>;
+    fn controls(&mut self) -> Controls<'_>;
 
     /// The slide's loop over the pixels of `image`, as `camera` sees them.
     fn render(&self, camera: &dyn Camera, image: &mut Image<'_>);
 
-    /// How `pixel` came by its colour, with the numbers from the functions that
-    /// [`render`](Self::render) runs.
+    /// How `pixel` came by its colour: what the functions that [`render`](Self::render) runs tell.
     fn explain(&self, camera: &dyn Camera, pixel: Pixel) -> Explanation;
 }

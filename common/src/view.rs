@@ -1,7 +1,7 @@
 use std::ops::RangeInclusive;
 
 use crate::Camera;
-use crate::Control;
+use crate::Controls;
 use crate::FIELD_OF_VIEW;
 use crate::OrthographicCamera;
 use crate::PerspectiveCamera;
@@ -27,13 +27,23 @@ pub struct View {
     pub distance: f32,
     /// The vertical angle of view, in degrees.
     pub field_of_view: f32,
-    /// 0 perspective, 1 parallel, as in [`View::PROJECTIONS`].
-    pub projection: usize,
+    /// The kind of camera.
+    pub projection: Projection,
+}
+
+/// The two kinds of camera.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Projection {
+    /// One origin, many directions.
+    Perspective,
+    /// Many origins, one direction.
+    Parallel,
 }
 
 impl View {
-    /// The two kinds of camera.
-    pub const PROJECTIONS: [&str; 2] = ["perspective", "parallel"];
+    /// The two kinds of camera, by name.
+    pub const PROJECTIONS: [(&'static str, Projection); 2] =
+        [("perspective", Projection::Perspective), ("parallel", Projection::Parallel)];
 
     /// Seen in perspective from `eye`, towards `target`; `field_of_view` is vertical, in degrees.
     pub fn new(eye: Vec3, target: Vec3, field_of_view: f32) -> Self {
@@ -51,7 +61,7 @@ impl View {
             elevation,
             distance,
             field_of_view,
-            projection: 0,
+            projection: Projection::Perspective,
         }
     }
 
@@ -88,23 +98,27 @@ impl View {
     /// The parallel one shows as much at the target as the perspective one does there.
     pub fn camera(&self, aspect: f32) -> Box<dyn Camera> {
         let (eye, target, up) = (self.eye(), self.target, Vec3::Y);
-        if self.projection == 0 {
-            let angle = self.field_of_view;
-            Box::new(PerspectiveCamera::new(eye, target, up, angle, aspect))
-        } else {
-            let height = 2.0 * self.distance * (self.field_of_view.to_radians() / 2.0).tan();
-            Box::new(OrthographicCamera::new(eye, target, up, height, aspect))
+        let angle = self.field_of_view.clamp(*FIELD_OF_VIEW.start(), *FIELD_OF_VIEW.end());
+        match self.projection {
+            Projection::Perspective => {
+                Box::new(PerspectiveCamera::new(eye, target, up, angle, aspect))
+            }
+            Projection::Parallel => {
+                let height = 2.0 * self.distance * (angle.to_radians() / 2.0).tan();
+                Box::new(OrthographicCamera::new(eye, target, up, height, aspect))
+            }
         }
     }
 
     /// The camera's own controls: they come after those of the step.
-    pub fn controls(&mut self) -> Vec<Control<'_>> {
-        vec![
-            Control::choice("camera", &Self::PROJECTIONS, &mut self.projection),
-            Control::number("azimuth", AZIMUTH, &mut self.azimuth),
-            Control::number("elevation", ELEVATION, &mut self.elevation),
-            Control::logarithmic("distance", DISTANCE, &mut self.distance),
-            Control::number("fov", FIELD_OF_VIEW, &mut self.field_of_view),
-        ]
+    pub fn controls(&mut self) -> Controls<'_> {
+        let mut controls = Controls::new();
+        controls.group("camera");
+        controls.choice("camera", Self::PROJECTIONS, &mut self.projection);
+        controls.number("azimuth", AZIMUTH, &mut self.azimuth);
+        controls.number("elevation", ELEVATION, &mut self.elevation);
+        controls.logarithmic("distance", DISTANCE, &mut self.distance);
+        controls.number("fov", FIELD_OF_VIEW, &mut self.field_of_view);
+        controls
     }
 }

@@ -1,7 +1,5 @@
 //! Ray and triangle.
-use common::Explanation;
-use common::Ray;
-use common::Vec3;
+use common::prelude::*;
 
 use crate::intersection::IntersectionRecord;
 
@@ -9,57 +7,79 @@ use crate::intersection::IntersectionRecord;
 /// Two-sided, with (b − a) × (c − a), normalised, as normal; without area, or with NaN, never hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Triangle {
-    a: Vec3,
+    vertices: [Vec3; 3],
     a_minus_b: Vec3,
     a_minus_c: Vec3,
     cross: Vec3,
     normal: Vec3,
 }
 
-impl Triangle {
-    /// The triangle with the vertices a, b and c.
-    pub fn new([a, b, c]: [Vec3; 3]) -> Self {
-        let cross = (b - a).cross(c - a);
-        Self { a, a_minus_b: a - b, a_minus_c: a - c, cross, normal: cross.normalize_or_zero() }
-    }
+/// Where a ray meets a triangle's plane: its t, and the weights of a, b and c.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solution {
+    pub t: f32,
+    pub alpha: f32,
+    pub beta: f32,
+    pub gamma: f32,
+}
 
-    /// Solves p + t d = a + β (b − a) + γ (c − a), three linear equations: t, and α, β, γ.
-    /// `None` unless t_min < t < t_max. Slide «Intersecção entre raio e triângulo».
+impl Solution {
+    /// Why the point is not inside, if it is not. Slide «Ponto pertencente à triângulo», with ≥ for
+    /// its >: an edge must not be a gap between two triangles.
     #[inline]
-    pub fn solve(&self, ray: &Ray, t_min: f32, t_max: f32) -> Option<(f32, [f32; 3])> {
-        // [a−b a−c d] (β γ t)ᵀ = a − p, by Cramer's rule with |x y z| = (x × y)·z:
-        // t = |a−b a−c a−p| / |a−b a−c d|, ±∞ or NaN if parallel, and NaN fails every comparison;
-        let a_minus_p = self.a - ray.origin;
-        let determinant = self.cross.dot(ray.direction);
-        let t = self.cross.dot(a_minus_p) / determinant;
-        if !(t_min < t && t < t_max) {
-            return None;
-        }
-        // β = |a−p a−c d| / |a−b a−c d| = (a−c)·w, γ = |a−b a−p d| / |a−b a−c d| = −(a−b)·w
-        let w = ray.direction.cross(a_minus_p) / determinant;
-        let (beta, gamma) = (self.a_minus_c.dot(w), -self.a_minus_b.dot(w));
-        Some((t, [1.0 - beta - gamma, beta, gamma]))
+    pub fn outside(&self) -> Option<&'static str> {
+        let weights = [(self.alpha, "α < 0"), (self.beta, "β < 0"), (self.gamma, "γ < 0")];
+        let beside = weights.into_iter().find(|(weight, _)| *weight < 0.0);
+        beside.map(|(_, condition)| condition)
     }
 }
 
 impl Triangle {
-    /// The hit, if t_min < t < t_max and it is inside. Slide «Ponto pertencente à triângulo».
-    #[inline]
-    pub fn intersect(&self, ray: &Ray, t_min: f32, t_max: f32) -> Option<IntersectionRecord> {
-        let (t, barycentric) = self.solve(ray, t_min, t_max)?;
-        let record = IntersectionRecord { t, point: ray.at(t), normal: self.normal };
-        // α, β, γ ≥ 0, where the slide has > 0: an edge must not be a gap between two triangles.
-        barycentric.iter().all(|weight| *weight >= 0.0).then_some(record)
+    /// The triangle with the vertices a, b and c.
+    pub fn new([a, b, c]: [Vec3; 3]) -> Self {
+        let cross = (b - a).cross(c - a);
+        let normal = cross.normalize_or_zero();
+        Self { vertices: [a, b, c], a_minus_b: a - b, a_minus_c: a - c, cross, normal }
     }
 
-    /// Adds the solution of the equations for `ray`, and the hit, to `explanation`.
-    pub fn explain(&self, ray: &Ray, explanation: &mut Explanation) {
-        if let Some((t, barycentric)) = self.solve(ray, 0.0, f32::INFINITY) {
-            explanation.line("t, on the plane", t);
-            explanation.line("α, β, γ", Vec3::from(barycentric));
+    /// The solution of p + t d = a + β (b − a) + γ (c − a), which is [a−b a−c d] (β γ t)ᵀ = a − p,
+    /// if t_min < t < t_max and it is inside. Slide «Intersecção entre raio e triângulo».
+    #[inline]
+    pub fn solve(
+        &self, ray: &Ray, t_min: f32, t_max: f32, say: &mut impl Listener,
+    ) -> Option<Solution> {
+        let [a, b, c] = self.vertices;
+        let d = ray.direction;
+        let a_minus_p = say.line("a − p", a - ray.origin);
+        // Cramer's rule, with (x × y)·z for the determinant |x y z|; a−b × a−c is `cross`.
+        let determinant = say.line("D = |a−b a−c d|", self.cross.dot(d));
+        let d_t = say.line("D_t = |a−b a−c a−p|", self.cross.dot(a_minus_p));
+        let t = say.along("t = D_t / D", ray, d_t / determinant);
+        if !(t_min < t && t < t_max) {
+            return say.miss("no t in range", "t_min < t < t_max");
         }
-        if let Some(record) = self.intersect(ray, 0.0, f32::INFINITY) {
-            record.explain(explanation);
+        let w = d.cross(a_minus_p);
+        let d_beta = say.line("D_β = |a−p a−c d|", self.a_minus_c.dot(w));
+        let d_gamma = say.line("D_γ = |a−b a−p d|", -self.a_minus_b.dot(w));
+        let point = ray.at(t);
+        let beta = say.area("β = D_β / D", [point, c, a], d_beta / determinant);
+        let gamma = say.area("γ = D_γ / D", [point, a, b], d_gamma / determinant);
+        let alpha = say.area("α = 1 − β − γ", [point, b, c], 1.0 - beta - gamma);
+        let solution = Solution { t, alpha, beta, gamma };
+        match solution.outside() {
+            Some(condition) => say.miss("outside", condition),
+            None => Some(solution),
         }
+    }
+
+    /// The hit with t_min < t < t_max; `None` when there is none.
+    #[inline]
+    pub fn intersect(
+        &self, ray: &Ray, t_min: f32, t_max: f32, say: &mut impl Listener,
+    ) -> Option<IntersectionRecord> {
+        let Solution { t, .. } = self.solve(ray, t_min, t_max, say)?;
+        let point = say.point("point = p + t d", ray.at(t));
+        let normal = say.arrow("normal", point, self.normal);
+        Some(IntersectionRecord { t, point, normal })
     }
 }

@@ -4,43 +4,33 @@ pub mod intersection;
 pub mod render;
 pub mod scene;
 pub mod sphere;
+pub mod surface;
 pub mod triangle;
 
-use common::Camera;
-use common::Color;
-use common::Control;
-use common::Explanation;
-use common::Image;
-use common::Pixel;
-use common::Ray;
-use common::Step;
-use common::Vec3;
-use common::View;
+use common::prelude::*;
 
-use crate::render::pixel_center;
 use crate::render::render;
+use crate::render::viewing_ray;
 use crate::scene::Scene;
 use crate::scene::lecture_scene;
+use crate::surface::Surface;
 
 /// What this step shows, and what can be changed in it.
 #[derive(Clone, Debug)]
 pub struct Lesson {
-    /// What is seen.
     pub scene: Scene,
-    /// The sphere that the controls act on.
-    pub sphere: usize,
 }
 
 impl Default for Lesson {
     fn default() -> Self {
-        Self { scene: lecture_scene(), sphere: 0 }
+        Self { scene: lecture_scene() }
     }
 }
 
 impl Lesson {
     /// The colour seen along `ray`.
-    pub fn trace(&self, ray: &Ray) -> Color {
-        self.scene.trace(ray, 0.0, f32::INFINITY)
+    pub fn trace(&self, ray: &Ray, say: &mut impl Listener) -> Color {
+        self.scene.trace(ray, 0.0, f32::INFINITY, say)
     }
 }
 
@@ -49,27 +39,26 @@ impl Step for Lesson {
         View::new(Vec3::new(0.0, 2.4, 7.0), Vec3::new(0.2, 0.75, 0.0), 38.0)
     }
 
-    fn controls(&mut self) -> Vec<Control<'_>> {
-        let spheres = &["red", "green", "blue"];
-        let sphere = &mut self.scene.spheres[self.sphere];
-        let mut controls = vec![Control::choice("sphere", spheres, &mut self.sphere)];
-        controls.extend(Control::vector("center", -3.0..=3.0, &mut sphere.surface.center));
-        controls.push(Control::number("radius", 0.1..=2.0, &mut sphere.surface.radius));
+    fn controls(&mut self) -> Controls<'_> {
+        let mut controls = Controls::new();
+        for object in &mut self.scene.objects {
+            if let Surface::Sphere(sphere) = &mut object.surface {
+                controls.group_of("scene", "sphere", object.name);
+                controls.point("center", -3.0..=3.0, &mut sphere.center);
+                controls.number("radius", 0.1..=2.0, &mut sphere.radius);
+            }
+        }
         controls
     }
 
     fn render(&self, camera: &dyn Camera, image: &mut Image<'_>) {
-        render(camera, image, |ray| self.trace(ray));
+        render(camera, image, |ray| self.trace(ray, &mut Silent));
     }
 
     fn explain(&self, camera: &dyn Camera, pixel: Pixel) -> Explanation {
-        let (u, v) = pixel_center(pixel.col, pixel.row, pixel.width, pixel.height);
-        let ray = camera.generate_ray(u, v);
-        let mut explanation = Explanation::new(pixel, self.trace(&ray));
-        explanation.line("(u, v)", (u, v));
-        explanation.line("p", ray.origin);
-        explanation.line("d", ray.direction);
-        self.scene.explain(&ray, &mut explanation);
-        explanation
+        let mut explanation = Explanation::new(pixel);
+        let ray = viewing_ray(camera, pixel, &mut explanation);
+        let color = self.trace(&ray, &mut explanation);
+        explanation.seen(color)
     }
 }

@@ -1,21 +1,13 @@
 //! Where light comes from.
-use common::Vec3;
+use common::prelude::*;
 
 /// A light at a single point, equally bright in all directions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointLight {
-    /// In world units; NaN gives no light.
+    pub name: &'static str,
     pub position: Vec3,
     /// I, in no particular unit: it has the 1/π of diffuse reflection in it.
     pub intensity: f32,
-    /// Whether it weakens with the distance r, as 1/r².
+    /// Whether it weakens with the distance, as 1/r². Slide «Atenuação por distância».
     pub attenuation: bool,
-}
-
-impl PointLight {
-    /// I/r², or I without attenuation. Slide «Atenuação por distância».
-    #[inline]
-    pub fn irradiance(&self, r_squared: f32) -> f32 {
-        if self.attenuation { self.intensity / r_squared } else { self.intensity }
-    }
 }

@@ -1,163 +1,123 @@
 //! All that is seen.
-use common::Color;
-use common::Explanation;
-use common::Ray;
-use common::Vec3;
+use common::prelude::*;
 
 use crate::intersection::IntersectionRecord;
-use crate::intersection::Surface;
 use crate::light::PointLight;
 use crate::material::Material;
 use crate::sphere::Sphere;
+use crate::surface::Surface;
 use crate::triangle::Triangle;
 
-/// A surface and how it looks.
 #[derive(Clone, Debug)]
-pub struct Object<S: ?Sized> {
-    /// What explanations call it.
+pub struct Object {
     pub name: &'static str,
-    /// What it is made of.
     pub material: Material,
-    /// Its shape.
-    pub surface: S,
+    pub surface: Surface,
 }
 
-/// A list for each kind of surface: once inlined, each loop over one knows what it calls.
 #[derive(Clone, Debug)]
 pub struct Scene {
-    /// The spheres.
-    pub spheres: Vec<Object<Sphere>>,
-    /// The triangles.
-    pub triangles: Vec<Object<Triangle>>,
+    pub objects: Vec<Object>,
     /// What a ray sees that hits nothing.
     pub background: Color,
-    /// The lights.
     pub lights: Vec<PointLight>,
-    /// How many of the lights are lit.
+    /// How many of the lights are lit, from the first on.
     pub lit: usize,
-    /// I of a dim light at the origin of each viewing ray: in perspective, the camera.
-    pub camera_light: f32,
     /// I_a, the light from everywhere.
     pub ambient: f32,
-    /// Whether objects cast shadows.
     pub shadows: bool,
     /// ε: the t at which shadow rays begin, lest rounding let a surface shadow itself.
     pub epsilon: f32,
 }
 
-/// A hit and what was hit: an object with any kind of surface.
-pub type Hit<'a> = (IntersectionRecord, &'a Object<dyn Surface>);
-
 impl Scene {
     /// The hit with the smallest t, the first of equals. Slide «Intersecção de raios em software».
-    pub fn intersect<'a>(&'a self, ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit<'a>> {
-        let (mut closest, mut t_max) = (None, t_max);
-        let mut keep_closest = |object: &'a Object<dyn Surface>| {
-            if let Some(record) = object.surface.intersect(ray, t_min, t_max) {
-                t_max = record.t; // From now on only closer hits count.
+    pub fn intersect(
+        &self, ray: &Ray, t_min: f32, t_max: f32, say: &mut impl Listener,
+    ) -> Option<(IntersectionRecord, &Object)> {
+        say.section("intersection");
+        let mut t_max = t_max;
+        let mut closest = None;
+        for object in &self.objects {
+            say.group(object.name);
+            if let Some(record) = object.surface.intersect(ray, t_min, t_max, say) {
+                t_max = say.closest("t_max = t", record.t);
                 closest = Some((record, object));
             }
-        };
-        self.spheres.iter().for_each(|sphere| keep_closest(sphere));
-        self.triangles.iter().for_each(|triangle| keep_closest(triangle));
+        }
         closest
     }
 
-    /// Any object hit with t_min < t < t_max, not always the first: one is enough for a shadow.
-    pub fn blocker(&self, ray: &Ray, t_min: f32, t_max: f32) -> Option<&Object<dyn Surface>> {
-        let hit = |surface: &dyn Surface| surface.intersect(ray, t_min, t_max).is_some();
-        match self.spheres.iter().find(|sphere| hit(&sphere.surface)) {
-            Some(sphere) => Some(sphere),
-            None => Some(self.triangles.iter().find(|triangle| hit(&triangle.surface))?),
-        }
-    }
-
     /// The colour seen along `ray`. Slides «Imagen obtida até o momento».
-    pub fn trace(&self, ray: &Ray, t_min: f32, t_max: f32) -> Color {
-        match self.intersect(ray, t_min, t_max) {
-            Some((record, object)) => self.reflected(ray, &record, &object.material),
-            None => self.background,
+    pub fn trace(&self, ray: &Ray, t_min: f32, t_max: f32, say: &mut impl Listener) -> Color {
+        let hit = self.intersect(ray, t_min, t_max, say);
+        say.section("illumination");
+        match hit {
+            Some((record, object)) => self.shade(ray, &record, &object.material, say),
+            None => say.line("background", self.background),
         }
     }
 
-    /// The lights that are lit, the one at the camera last.
-    fn lit_lights(&self, ray: &Ray) -> impl Iterator<Item = PointLight> {
-        let (position, intensity) = (ray.origin, self.camera_light);
-        let camera_light = PointLight { position, intensity, attenuation: true };
-        let lit = self.lights.iter().take(self.lit).copied();
-        lit.chain((intensity > 0.0).then_some(camera_light))
+    /// Whether `point`, at t = 0, sees `light`, at t = 1: then V is 1. Slide «Sombras».
+    pub fn is_visible(&self, light: &PointLight, point: Vec3, say: &mut impl Listener) -> bool {
+        let ray = Ray::new(point, light.position - point);
+        let hit = |object: &Object| object.surface.intersect(&ray, self.epsilon, 1.0, &mut Silent);
+        let blocker = self.objects.iter().find(|object| self.shadows && hit(object).is_some());
+        say.word("blocked by", blocker.map_or("nothing", |object| object.name));
+        say.ray("shadow ray's d", &ray, blocker.and_then(hit).map_or(1.0, |record| record.t));
+        say.line("V", f32::from(blocker.is_none())) > 0.0
     }
 
-    /// What stands between `point` (t = 0) and `light` (t = 1). Slide «Sombras».
-    fn shadow(&self, point: Vec3, light: &PointLight) -> Option<&Object<dyn Surface>> {
-        let shadow_ray = Ray::new(point, light.position - point);
-        if self.shadows { self.blocker(&shadow_ray, self.epsilon, 1.0) } else { None }
-    }
-
-    /// L_a and the sum over all lights. Slides «Múltiplas luzes» and «Illuminação ambiente».
-    fn reflected(&self, ray: &Ray, record: &IntersectionRecord, material: &Material) -> Color {
-        let mut result = material.k_a * self.ambient;
-        for light in self.lit_lights(ray) {
-            if self.shadow(record.point, &light).is_none() {
-                result += material.shade(ray, record, &light).l_d;
+    /// L_a and the sum over all lights. Slides «Múltiplas luzes» and «Somando as contribuições».
+    fn shade(
+        &self, ray: &Ray, record: &IntersectionRecord, material: &Material, say: &mut impl Listener,
+    ) -> Color {
+        let k_a = say.line("k_a", material.k_a);
+        let i_a = say.line("I_a", self.ambient);
+        let mut result = say.term("L_a = k_a I_a", k_a * i_a);
+        for light in self.lights.iter().take(self.lit) {
+            say.group(light.name);
+            if self.is_visible(light, record.point, say) {
+                let l_d = material.shade(ray, record, light, say);
+                result += say.term("L_d", l_d);
             }
         }
-        result
-    }
-
-    /// Adds what `ray` hits and how that looks to `explanation`.
-    pub fn explain(&self, ray: &Ray, explanation: &mut Explanation) {
-        let Some((record, object)) = self.intersect(ray, 0.0, f32::INFINITY) else {
-            return explanation.heading("background");
-        };
-        explanation.heading(object.name);
-        object.surface.explain(ray, explanation);
-        explanation.line("k_d", object.material.k_d);
-        explanation.line("L_a = k_a I_a", object.material.k_a * self.ambient);
-        for light in self.lit_lights(ray) {
-            let blocker = self.shadow(record.point, &light);
-            explanation.heading(if blocker.is_none() { "light" } else { "light, blocked" });
-            explanation.line("position", light.position);
-            explanation.line("I", light.intensity);
-            explanation.line("blocked by", blocker.map_or("nothing", |object| object.name));
-            object.material.shade(ray, &record, &light).explain(explanation);
-        }
+        say.group("sum");
+        say.sum("L", result)
     }
 }
 
 /// The scene of the lecture's pictures: a floor, three spheres and a pyramid.
 pub fn lecture_scene() -> Scene {
     let p = Vec3::new;
-    let paint = |r, g, b| {
-        let k_d = Color::new(r, g, b);
-        Material { k_a: 0.1 * k_d, k_d }
-    };
-    let sphere = |name, material, center, radius| {
-        let surface = Sphere { center, radius };
-        Object { name, material, surface }
-    };
-    let triangle = |name, material, abc| Object { name, material, surface: Triangle::new(abc) };
-    let light = |position, intensity| PointLight { position, intensity, attenuation: true };
+    let paint = |r, g, b| Material { k_a: 0.1 * Color::new(r, g, b), k_d: Color::new(r, g, b) };
+    let object = |name, material, surface| Object { name, material, surface };
+    let sphere = |x, y, z, radius| Surface::Sphere(Sphere { center: p(x, y, z), radius });
+    let triangle = |a, b, c| Surface::Triangle(Triangle::new([a, b, c]));
+    let light =
+        |name, position, intensity| PointLight { name, position, intensity, attenuation: true };
     let grey = paint(0.55, 0.55, 0.55);
-    let yellow = paint(0.85, 0.70, 0.25);
+    let yellow = paint(0.85, 0.7, 0.25);
     let far = [p(-20.0, 0.0, -20.0), p(20.0, 0.0, -20.0)];
     let near = [p(-20.0, 0.0, 20.0), p(20.0, 0.0, 20.0)];
-    let floor = [[far[0], near[1], far[1]], [far[0], near[0], near[1]]];
-    let floor = floor.map(|abc| triangle("floor", grey, abc));
     let base = [p(0.7, 0.0, -0.1), p(2.5, 0.0, 0.3), p(2.9, 0.0, -1.5), p(1.1, 0.0, -1.9)];
-    let face = |i| [base[i], base[(i + 1) % 4], p(1.7, 1.9, -0.9)];
-    let pyramid = [0, 1, 2, 3].map(|i| triangle("pyramid", yellow, face(i)));
+    let face = |i, j| object("pyramid", yellow, triangle(base[i], base[j], p(1.7, 1.9, -0.9)));
+    let mut objects = vec![
+        object("red sphere", paint(0.85, 0.25, 0.2), sphere(-0.3, 1.0, 0.0, 1.0)),
+        object("green sphere", paint(0.25, 0.6, 0.3), sphere(-1.9, 0.6, 1.3, 0.6)),
+        object("blue sphere", paint(0.2, 0.35, 0.85), sphere(1.05, 0.5, 1.5, 0.5)),
+        object("floor", grey, triangle(far[0], near[1], far[1])),
+        object("floor", grey, triangle(far[0], near[0], near[1])),
+    ];
+    objects.extend([face(0, 1), face(1, 2), face(2, 3), face(3, 0)]);
     Scene {
-        spheres: vec![
-            sphere("red sphere", paint(0.85, 0.25, 0.20), p(-0.3, 1.0, 0.0), 1.0),
-            sphere("green sphere", paint(0.25, 0.60, 0.30), p(-1.9, 0.6, 1.3), 0.6),
-            sphere("blue sphere", paint(0.20, 0.35, 0.85), p(1.05, 0.5, 1.5), 0.5),
-        ],
-        triangles: floor.into_iter().chain(pyramid).collect(),
+        objects,
         background: Color::new(0.03, 0.05, 0.09),
-        lights: vec![light(p(4.0, 6.0, 5.0), 42.0), light(p(-6.0, 5.0, 4.0), 20.0)],
+        lights: vec![
+            light("key light", p(4.0, 6.0, 5.0), 42.0),
+            light("fill light", p(-6.0, 5.0, 4.0), 20.0),
+        ],
         lit: 2,
-        camera_light: 0.0,
         ambient: 1.0,
         shadows: true,
         epsilon: 1e-3,

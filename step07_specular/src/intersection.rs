@@ -1,33 +1,12 @@
-//! What can be hit, and what is known of a hit.
-use common::Explanation;
-use common::Ray;
-use common::Vec3;
+//! What is known of a hit.
+use common::prelude::*;
 
 /// Where a ray meets a surface. Slide «Intersecção de raios em software».
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IntersectionRecord {
     /// How far along the ray, in units of |d|.
     pub t: f32,
-    /// The point r(t).
     pub point: Vec3,
-    /// The surface's normal there, of unit length.
+    /// Of unit length.
     pub normal: Vec3,
-}
-
-impl IntersectionRecord {
-    /// Adds the record to `explanation`.
-    pub fn explain(&self, explanation: &mut Explanation) {
-        explanation.line("t", self.t);
-        explanation.line("point = p + t d", self.point);
-        explanation.line("normal", self.normal);
-    }
-}
-
-/// Anything that can intersect a ray with itself. Slide «Intersecção de raios em software».
-pub trait Surface {
-    /// The first hit with t_min < t < t_max; `None` when there is none.
-    fn intersect(&self, ray: &Ray, t_min: f32, t_max: f32) -> Option<IntersectionRecord>;
-
-    /// Adds the equation that `ray` has to solve, and the hit, to `explanation`.
-    fn explain(&self, ray: &Ray, explanation: &mut Explanation);
 }

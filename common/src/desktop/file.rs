@@ -168,9 +168,7 @@ fn replace(picture: &RgbImage, path: &Path) -> io::Result<()> {
 /// Writes all of `picture` under another name in the same folder, which `name` then changes to
 /// `path`.
 fn put(
-    picture: &RgbImage,
-    path: &Path,
-    name: impl FnOnce(&Path, &Path) -> io::Result<()>,
+    picture: &RgbImage, path: &Path, name: impl FnOnce(&Path, &Path) -> io::Result<()>,
 ) -> io::Result<()> {
     let part = |attempt: usize| {
         path.with_file_name(format!(".picture-{}-{attempt}.part", std::process::id()))

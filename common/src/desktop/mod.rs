@@ -28,9 +28,7 @@ pub fn main<S: Step + Default + 'static>(name: &'static str, concept: &'static s
 /// What an example's `main` runs: a step's program, for a figure of that step.
 #[cfg(feature = "figures")]
 pub fn figure<L: Step + Clone + 'static>(
-    name: &'static str,
-    concept: &'static str,
-    figure: fn() -> Figure<L>,
+    name: &'static str, concept: &'static str, figure: fn() -> Figure<L>,
 ) -> ExitCode {
     let new = Box::new(move || Box::new(figure()) as Box<dyn Step>);
     command_line::run(&Program { name, concept, size: figure().size(), new })

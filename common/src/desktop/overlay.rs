@@ -183,11 +183,7 @@ impl Overlay {
 
     /// Draws the overlay onto the pixels of a window, 0RGB.
     pub(crate) fn draw(
-        &mut self,
-        pixels: &mut [u32],
-        size: Size,
-        controls: &[Control<'_>],
-        caption: &Caption<'_>,
+        &mut self, pixels: &mut [u32], size: Size, controls: &[Control<'_>], caption: &Caption<'_>,
     ) {
         if self.hidden {
             return;
@@ -253,11 +249,7 @@ fn help(canvas: &mut Canvas<'_>, layout: &Layout, keys: &[(&str, &str)]) {
 }
 
 fn control(
-    canvas: &mut Canvas<'_>,
-    layout: &Layout,
-    row: usize,
-    control: &Control<'_>,
-    selected: bool,
+    canvas: &mut Canvas<'_>, layout: &Layout, row: usize, control: &Control<'_>, selected: bool,
 ) {
     let top = layout.top(row);
     let (text, bar) = if selected { (CHOSEN, CHOSEN) } else { (TEXT, BAR) };
@@ -343,8 +335,7 @@ impl DrawTarget for Canvas<'_> {
     type Error = Infallible;
 
     fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(
-        &mut self,
-        pixels: I,
+        &mut self, pixels: I,
     ) -> Result<(), Infallible> {
         for Pixel(point, color) in pixels {
             self.fill_solid(&Rectangle::new(point, Extent::new_equal(1)), color)?;

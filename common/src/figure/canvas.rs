@@ -47,9 +47,7 @@ pub(super) fn text_size(magnification: f32, text: &str) -> (usize, usize) {
 
 impl<'a> Canvas<'a> {
     pub(super) fn new(
-        camera: &'a dyn Camera,
-        (width, height): (usize, usize),
-        rows: Range<usize>,
+        camera: &'a dyn Camera, (width, height): (usize, usize), rows: Range<usize>,
         magnification: f32,
     ) -> Self {
         let pixels = vec![GROUND; width * rows.len()];
@@ -109,11 +107,7 @@ impl<'a> Canvas<'a> {
 
     /// As [`line`](Self::line), in pixels.
     pub(super) fn stroke(
-        &mut self,
-        from: (f32, f32),
-        to: (f32, f32),
-        thickness: f32,
-        color: Color,
+        &mut self, from: (f32, f32), to: (f32, f32), thickness: f32, color: Color,
     ) {
         let radius = self.magnification * thickness / 2.0;
         let (dx, dy) = (to.0 - from.0, to.1 - from.1);

@@ -93,18 +93,14 @@ impl<L: Step + Clone> Figure<L> {
 
     /// Adds a panel that `draw` fills.
     pub fn draw(
-        self,
-        label: impl Into<String>,
-        draw: impl Fn(&L, &mut Canvas<'_>) + Sync + 'static,
+        self, label: impl Into<String>, draw: impl Fn(&L, &mut Canvas<'_>) + Sync + 'static,
     ) -> Self {
         self.panel(label, |_| (), draw)
     }
 
     /// Adds a panel that `draw` fills with the lesson after `change`.
     pub fn panel(
-        mut self,
-        label: impl Into<String>,
-        change: impl Fn(&mut L) + Sync + 'static,
+        mut self, label: impl Into<String>, change: impl Fn(&mut L) + Sync + 'static,
         draw: impl Fn(&L, &mut Canvas<'_>) + Sync + 'static,
     ) -> Self {
         let (label, change, draw) = (label.into(), Box::new(change), Box::new(draw));
@@ -159,10 +155,7 @@ impl<L: Step + Clone> Figure<L> {
     }
 
     fn camera<'a>(
-        &self,
-        camera: &'a dyn Camera,
-        (width, height): (usize, usize),
-        place: &Place,
+        &self, camera: &'a dyn Camera, (width, height): (usize, usize), place: &Place,
     ) -> PanelCamera<'a> {
         let aspect = place.width as f32 / place.height as f32;
         let vertical = if self.shown > 0 { 1.0 } else { (self.aspect / aspect).max(1.0) };

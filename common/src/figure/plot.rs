@@ -39,11 +39,7 @@ impl Canvas<'_> {
     /// Fills the panel with a plot: what is along the x axis and its range, the range of the y
     /// axis, and a name and a function for each curve.
     pub fn plot<F: Fn(f32) -> f32>(
-        &mut self,
-        x_name: &str,
-        x: Range<f32>,
-        y: Range<f32>,
-        curves: &[(String, F)],
+        &mut self, x_name: &str, x: Range<f32>, y: Range<f32>, curves: &[(String, F)],
     ) {
         let labels = self.magnification;
         let wide = self.width() as f32 / (MIN_LETTERS * GLYPH.0) as f32;
@@ -60,11 +56,7 @@ impl Canvas<'_> {
 }
 
 fn plot<F: Fn(f32) -> f32>(
-    canvas: &mut Canvas<'_>,
-    x_name: &str,
-    x: Range<f32>,
-    y: Range<f32>,
-    curves: &[(String, F)],
+    canvas: &mut Canvas<'_>, x_name: &str, x: Range<f32>, y: Range<f32>, curves: &[(String, F)],
 ) -> Result<(), DrawingAreaErrorKind<Infallible>> {
     let (letter, line) = canvas.text_size("0");
     let names = curves.iter().map(|(name, _)| canvas.text_size(name).0);
@@ -136,9 +128,7 @@ impl DrawingBackend for Paper<'_, '_> {
     }
 
     fn draw_pixel(
-        &mut self,
-        (x, y): BackendCoord,
-        color: BackendColor,
+        &mut self, (x, y): BackendCoord, color: BackendColor,
     ) -> Result<(), DrawingErrorKind<Infallible>> {
         if let (Ok(col), Ok(row)) = (x.try_into(), y.try_into()) {
             self.0.blend(col, row, linear(color), color.alpha as f32);
@@ -147,9 +137,7 @@ impl DrawingBackend for Paper<'_, '_> {
     }
 
     fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
-        &mut self,
-        path: I,
-        style: &S,
+        &mut self, path: I, style: &S,
     ) -> Result<(), DrawingErrorKind<Infallible>> {
         let (color, thickness) = (style.color(), style.stroke_width() as f32);
         let mut path = path.into_iter().map(|(x, y)| (x as f32 + 0.5, y as f32 + 0.5));
@@ -162,10 +150,7 @@ impl DrawingBackend for Paper<'_, '_> {
     }
 
     fn draw_text<S: BackendTextStyle>(
-        &mut self,
-        text: &str,
-        style: &S,
-        (x, y): BackendCoord,
+        &mut self, text: &str, style: &S, (x, y): BackendCoord,
     ) -> Result<(), DrawingErrorKind<Infallible>> {
         let anchor = style.anchor();
         let across = match anchor.h_pos {
@@ -183,9 +168,7 @@ impl DrawingBackend for Paper<'_, '_> {
     }
 
     fn estimate_text_size<S: BackendTextStyle>(
-        &self,
-        text: &str,
-        _: &S,
+        &self, text: &str, _: &S,
     ) -> Result<(u32, u32), DrawingErrorKind<Infallible>> {
         let (width, height) = self.0.text_size(text);
         Ok((width as u32, height as u32))
