@@ -16,6 +16,7 @@
 //! - t counts in lengths of the ray's direction: [`Ray`].
 
 mod camera;
+mod canvas;
 mod compare;
 mod control;
 #[cfg(feature = "desktop")]
@@ -40,6 +41,11 @@ pub use camera::Camera;
 pub use camera::FIELD_OF_VIEW;
 pub use camera::OrthographicCamera;
 pub use camera::PerspectiveCamera;
+pub use canvas::Anchor;
+pub use canvas::Area;
+pub use canvas::Canvas;
+pub use canvas::Font;
+pub use canvas::Ink;
 pub use compare::Comparison;
 pub use compare::Difference;
 pub use compare::TOLERANCE;
@@ -59,7 +65,7 @@ pub use explanation::Place;
 pub use explanation::Section;
 pub use explanation::Value;
 #[cfg(feature = "figures")]
-pub use figure::Canvas;
+pub use figure::Canvas as FigureCanvas;
 #[cfg(feature = "figures")]
 pub use figure::Figure;
 pub use frame::Frame;

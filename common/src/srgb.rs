@@ -2,6 +2,11 @@ use std::sync::LazyLock;
 
 use crate::Color;
 
+/// The linear value of an sRGB one, both 0 to 1 (IEC 61966-2-1).
+pub(crate) fn decode(s: f64) -> f64 {
+    if s <= 0.04045 { s / 12.92 } else { ((s + 0.055) / 1.055).powf(2.4) }
+}
+
 /// The linear values from which each sRGB code is the nearest, and a first guess at the code for
 /// 4096 equal steps of the linear value. No step holds two of those values, so that the guess is
 /// either right or one too low.
@@ -13,14 +18,7 @@ struct Srgb {
 impl Srgb {
     const STEPS: usize = 4096;
 
-    // The inverse of the sRGB curve (IEC 61966-2-1):
-    //   linear = s / 12.92                  for s <= 0.04045
-    //            ((s + 0.055) / 1.055)^2.4  above
     fn new() -> Self {
-        let decode = |s: f64| match s {
-            s if s <= 0.04045 => s / 12.92,
-            s => ((s + 0.055) / 1.055).powf(2.4),
-        };
         let mut from = [0.0; 257];
         for (code, from) in from.iter_mut().enumerate().skip(1) {
             *from = decode((code as f64 - 0.5) / 255.0) as f32;

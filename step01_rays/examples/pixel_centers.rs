@@ -1,9 +1,9 @@
 //! «Mapeamento»: exactly where pixels are located, on a picture of 4 × 2.
 use std::process::ExitCode;
 
-use common::Canvas;
 use common::Color;
 use common::Figure;
+use common::FigureCanvas;
 use common::Image;
 use step01_rays::Lesson;
 use step01_rays::render::pixel_center;
@@ -12,7 +12,7 @@ use step01_rays::render::render;
 const WIDTH: usize = 4;
 const HEIGHT: usize = 2;
 
-fn draw(lesson: &Lesson, canvas: &mut Canvas<'_>) {
+fn draw(lesson: &Lesson, canvas: &mut FigureCanvas<'_>) {
     let mut colors = [Color::ZERO; WIDTH * HEIGHT];
     let mut coarse = Image::new(WIDTH, HEIGHT, 0, &mut colors);
     render(canvas.camera, &mut coarse, |ray| lesson.trace(ray));

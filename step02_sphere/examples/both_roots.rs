@@ -2,15 +2,15 @@
 //! t is white where it is 2 and black where it is 4; their distance is white where it is 2.
 use std::process::ExitCode;
 
-use common::Canvas;
 use common::Color;
 use common::Figure;
+use common::FigureCanvas;
 use step02_sphere::Lesson;
 use step02_sphere::render::render;
 
 /// Shows a number from 0, black, to 1, white, that is made of both roots; equal steps of it look
 /// equal.
-fn draw(number: impl Fn([f32; 2]) -> f32) -> impl Fn(&Lesson, &mut Canvas<'_>) {
+fn draw(number: impl Fn([f32; 2]) -> f32) -> impl Fn(&Lesson, &mut FigureCanvas<'_>) {
     move |lesson, canvas| {
         render(canvas.camera, &mut canvas.image(), |ray| {
             let roots = lesson.sphere.quadratic(ray).roots();

@@ -1,13 +1,13 @@
 //! «Intersecção entre raio e esfera»: the discriminant tells how many solutions there are.
 use std::process::ExitCode;
 
-use common::Canvas;
 use common::Color;
 use common::Figure;
+use common::FigureCanvas;
 use step02_sphere::Lesson;
 use step02_sphere::render::render;
 
-fn draw(lesson: &Lesson, canvas: &mut Canvas<'_>) {
+fn draw(lesson: &Lesson, canvas: &mut FigureCanvas<'_>) {
     render(canvas.camera, &mut canvas.image(), |ray| {
         match lesson.sphere.quadratic(ray).discriminant {
             d if d.abs() < 0.02 => Color::ONE,

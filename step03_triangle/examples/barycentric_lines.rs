@@ -1,15 +1,15 @@
 //! «Coordenadas baricêntricas»: each weight is constant along lines parallel to one edge.
 use std::process::ExitCode;
 
-use common::Canvas;
 use common::Color;
 use common::Figure;
+use common::FigureCanvas;
 use common::Vec3;
 use common::View;
 use step03_triangle::Lesson;
 
 /// Shows one weight, and the lines where it is 0, ¼ … 1.
-fn draw(index: usize) -> impl Fn(&Lesson, &mut Canvas<'_>) {
+fn draw(index: usize) -> impl Fn(&Lesson, &mut FigureCanvas<'_>) {
     move |lesson, canvas| {
         canvas.show(&Lesson { shown: index + 1, ..lesson.clone() });
         let vertex = |offset| lesson.vertices[(index + offset) % 3];

@@ -2,16 +2,16 @@
 //! half-planes.
 use std::process::ExitCode;
 
-use common::Canvas;
 use common::Color;
 use common::Figure;
+use common::FigureCanvas;
 use common::Ray;
 use step03_triangle::Lesson;
 use step03_triangle::render::render;
 use step03_triangle::triangle::Triangle;
 
 /// Shows where all weights named are positive.
-fn draw(named: &'static [usize]) -> impl Fn(&Lesson, &mut Canvas<'_>) {
+fn draw(named: &'static [usize]) -> impl Fn(&Lesson, &mut FigureCanvas<'_>) {
     move |lesson, canvas| {
         let triangle = Triangle::new(lesson.vertices);
         let color = named.iter().map(|i| 0.5 * Color::AXES[*i]).sum::<Color>();

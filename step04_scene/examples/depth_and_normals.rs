@@ -1,14 +1,14 @@
 //! «Intersecção de raios em software»: what an intersection record knows besides the colour.
 use std::process::ExitCode;
 
-use common::Canvas;
 use common::Color;
 use common::Figure;
+use common::FigureCanvas;
 use step04_scene::Lesson;
 use step04_scene::intersection::IntersectionRecord;
 use step04_scene::render::render;
 
-fn draw(color: impl Fn(IntersectionRecord) -> Color) -> impl Fn(&Lesson, &mut Canvas<'_>) {
+fn draw(color: impl Fn(IntersectionRecord) -> Color) -> impl Fn(&Lesson, &mut FigureCanvas<'_>) {
     move |lesson, canvas| {
         render(canvas.camera, &mut canvas.image(), |ray| {
             match lesson.scene.intersect(ray, 0.0, f32::INFINITY) {

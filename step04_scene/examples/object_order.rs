@@ -3,9 +3,9 @@
 use std::process::ExitCode;
 
 use common::Camera;
-use common::Canvas;
 use common::Color;
 use common::Figure;
+use common::FigureCanvas;
 use common::Image;
 use common::Ray;
 use common::Size;
@@ -90,7 +90,7 @@ fn tests(order: Order) -> usize {
     order(&lesson, &*camera, &mut Image::new(width, height, 0, &mut pixels), 1.0)
 }
 
-fn draw(order: Order, part: f32) -> impl Fn(&Lesson, &mut Canvas<'_>) {
+fn draw(order: Order, part: f32) -> impl Fn(&Lesson, &mut FigureCanvas<'_>) {
     move |lesson, canvas| {
         order(lesson, canvas.camera, &mut canvas.image(), part);
     }

@@ -1,9 +1,9 @@
 //! «Reflexão difusa»: the top of a cube, turned by 60°, intercepts half the light.
 use std::process::ExitCode;
 
-use common::Canvas;
 use common::Color;
 use common::Figure;
+use common::FigureCanvas;
 use common::Ray;
 use common::Vec3;
 use common::View;
@@ -46,7 +46,7 @@ fn rays(lesson: &Lesson) -> Vec<(Vec3, Vec3, Option<f32>)> {
     (-6..6).filter_map(shine).collect()
 }
 
-fn draw(lesson: &Lesson, canvas: &mut Canvas<'_>) {
+fn draw(lesson: &Lesson, canvas: &mut FigureCanvas<'_>) {
     canvas.show(lesson);
     for (start, end, top) in rays(lesson) {
         let color = if top.is_some() { Color::new(1.0, 0.9, 0.2) } else { Color::splat(0.15) };

@@ -1,15 +1,15 @@
 //! «Sombras»: which points see which light.
 use std::process::ExitCode;
 
-use common::Canvas;
 use common::Color;
 use common::Figure;
+use common::FigureCanvas;
 use common::Ray;
 use step06_shadows::Lesson;
 use step06_shadows::render::render;
 
 /// White for each of the lights `named` that nothing blocks, in equal shares.
-fn draw(named: &'static [usize]) -> impl Fn(&Lesson, &mut Canvas<'_>) {
+fn draw(named: &'static [usize]) -> impl Fn(&Lesson, &mut FigureCanvas<'_>) {
     move |Lesson { scene, .. }, canvas| {
         render(canvas.camera, &mut canvas.image(), |ray| {
             let Some((record, _)) = scene.intersect(ray, 0.0, f32::INFINITY) else {
