@@ -76,6 +76,7 @@ pub use listener::Listener;
 pub use listener::Silent;
 pub use ray::Ray;
 pub use setup::Handle;
+pub use setup::Make;
 pub use setup::Setting;
 pub use setup::SettingError;
 pub use setup::Setup;

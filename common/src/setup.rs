@@ -1,4 +1,5 @@
 use std::fmt;
+use std::rc::Rc;
 
 use crate::Control;
 use crate::Controls;
@@ -14,13 +15,16 @@ use crate::control::first_word;
 /// anew from them after each change. So whatever was dragged where, [`settings`](Self::settings)
 /// give the same picture to the last bit.
 pub struct Setup {
-    make: fn() -> Box<dyn Step>,
+    make: Make,
     step: Box<dyn Step>,
     view: View,
     changes: Vec<Change>,
     /// Of each kind of object, the one whose controls are shown, unless it is the first.
     chosen: Vec<(&'static str, &'static str)>,
 }
+
+/// What makes a step as it starts.
+pub type Make = Rc<dyn Fn() -> Box<dyn Step>>;
 
 /// A control with a value that is not the one it starts with.
 #[derive(Clone, Debug, PartialEq)]
@@ -87,7 +91,7 @@ fn controls<'a>(step: &'a mut dyn Step, view: &'a mut View) -> Controls<'a> {
 
 impl Setup {
     /// The step as `make` makes it.
-    pub fn new(make: fn() -> Box<dyn Step>) -> Self {
+    pub fn new(make: Make) -> Self {
         let step = make();
         let view = step.view();
         Self { make, step, view, changes: Vec::new(), chosen: Vec::new() }
@@ -104,7 +108,7 @@ impl Setup {
     }
 
     /// The same changes to another step, as far as it has these controls.
-    pub fn carried_to(&self, make: fn() -> Box<dyn Step>) -> Self {
+    pub fn carried_to(&self, make: Make) -> Self {
         let mut other = Self::new(make);
         other.changes = self.changes.clone();
         other.chosen = self.chosen.clone();

@@ -7,6 +7,7 @@ use std::process::ExitCode;
 
 use anyhow::Context;
 use anyhow::Result;
+use anyhow::anyhow;
 use clap::Arg;
 use clap::ArgAction;
 use clap::ArgMatches;
@@ -22,12 +23,15 @@ use super::file;
 use super::progress::Progress;
 use super::window;
 use crate::Comparison;
-use crate::Control;
 use crate::Frame;
+use crate::Make;
 use crate::Pixel;
+use crate::Setting;
+use crate::SettingError;
+use crate::Setup;
 use crate::Size;
-use crate::Step;
 use crate::View;
+use crate::check_loop;
 use crate::side_by_side;
 
 /// The most rays a pixel are this many squared.
@@ -39,32 +43,15 @@ pub(crate) struct Program {
     pub(crate) concept: &'static str,
     /// How large the picture is unless told otherwise.
     pub(crate) size: Size,
-    pub(crate) new: Box<dyn Fn() -> Box<dyn Step>>,
-}
-
-impl Program {
-    /// The step as it starts, and where it is seen from.
-    pub(crate) fn start(&self) -> (Box<dyn Step>, View) {
-        let step = (self.new)();
-        let view = step.view();
-        (step, view)
-    }
+    pub(crate) make: Make,
 }
 
 /// What is to be made, and how.
 pub(crate) struct Job<'a> {
     pub(crate) program: &'a Program,
-    pub(crate) step: Box<dyn Step>,
-    pub(crate) view: View,
+    pub(crate) setup: Setup,
     pub(crate) size: Size,
     pub(crate) samples: usize,
-}
-
-/// All controls: the step's, then the camera's.
-pub(crate) fn controls<'a>(step: &'a mut dyn Step, view: &'a mut View) -> Vec<Control<'a>> {
-    let mut controls = step.controls();
-    controls.extend(view.controls());
-    controls
 }
 
 pub(crate) fn run(program: &Program) -> ExitCode {
@@ -75,8 +62,11 @@ pub(crate) fn run(program: &Program) -> ExitCode {
         }
         Err(error) => return usage(&first_line(&error)),
     };
-    let (mut step, mut view) = program.start();
-    if let Err(message) = set(&matches, &mut *step, &mut view) {
+    let mut setup = Setup::new(program.make.clone());
+    if let Err(error) = check_loop(setup.step()) {
+        return status(Err(anyhow!(error)));
+    }
+    if let Err(message) = set(&matches, &mut setup) {
         return usage(&message);
     }
     let size = matches.get_one("size").copied().unwrap_or(program.size);
@@ -89,11 +79,11 @@ pub(crate) fn run(program: &Program) -> ExitCode {
                 "there is no pixel {col},{row}: in a {size} picture they go from 0,0 to {right},{bottom}"
             ));
         }
-        let camera = view.camera(size.aspect());
-        let explanation = step.explain(&*camera, Pixel { col, row, width, height });
+        let camera = setup.view().camera(size.aspect());
+        let explanation = setup.step().explain(&*camera, Pixel { col, row, width, height });
         return status(print(&explanation.to_string()).map(|()| true));
     }
-    let job = Job { program, step, view, size, samples };
+    let job = Job { program, setup, size, samples };
     let output = matches.get_one::<PathBuf>("output");
     if let Some(expected) = matches.get_one::<PathBuf>("compare") {
         if output.is_some_and(|output| file::is_same(output, expected)) {
@@ -142,7 +132,7 @@ fn command(program: &Program) -> Command {
     Command::new(program.name)
         .arg(file("output").short('o').value_parser(png))
         .arg(option("size", "WxH").short('s').value_parser(size))
-        .arg(option("camera", "KIND").value_parser(View::PROJECTIONS))
+        .arg(option("camera", "KIND").value_parser(View::PROJECTIONS.map(|(name, _)| name)))
         .arg(option("set", "NAME=VALUE").action(ArgAction::Append))
         .arg(option("samples", "N").value_parser(samples))
         .arg(option("pixel", "X,Y").value_parser(pixel).conflicts_with_all(["output", "samples"]))
@@ -163,24 +153,22 @@ fn first_line(error: &clap::Error) -> String {
 }
 
 /// Applies `--camera`, then each `--set` in the order given, as if sliders were moved.
-fn set(matches: &ArgMatches, step: &mut dyn Step, view: &mut View) -> Result<(), String> {
+fn set(matches: &ArgMatches, setup: &mut Setup) -> Result<(), String> {
     let camera = matches.get_one::<String>("camera").map(|kind| format!("camera={kind}"));
     let settings = matches.get_many::<String>("set").unwrap_or_default().cloned();
     for setting in camera.into_iter().chain(settings) {
         let (name, value) = setting
             .split_once('=')
             .ok_or_else(|| format!("--set takes NAME=VALUE, and '{setting}' has no '='"))?;
-        let mut controls = controls(step, view);
-        let Some(control) = controls.iter_mut().find(|control| control.name == name) else {
-            return Err(unknown(name, &controls));
-        };
-        control.set(value).map_err(|refused| refused.to_string())?;
+        setup.set(name, value).map_err(|error| match error {
+            SettingError::Unknown { name, known } => unknown(&name, &known),
+            SettingError::Refused(refused) => refused.to_string(),
+        })?;
     }
     Ok(())
 }
 
-fn unknown(name: &str, controls: &[Control<'_>]) -> String {
-    let names: Vec<&str> = controls.iter().map(|control| control.name.as_str()).collect();
+fn unknown(name: &str, names: &[String]) -> String {
     let typed = name.trim().to_lowercase();
     let distance = |known: &str| damerau_levenshtein(&typed, &known.to_lowercase());
     let nearest = match names.iter().map(|known| (distance(known), known)).min() {
@@ -214,12 +202,11 @@ Options:
 
 Controls (default):
 ",
-        View::PROJECTIONS.join(" | ")
+        View::PROJECTIONS.map(|(name, _)| name).join(" | ")
     );
-    let (mut step, mut view) = program.start();
-    for control in controls(&mut *step, &mut view) {
+    for Setting { name, takes, text: value, .. } in Setup::new(program.make.clone()).list() {
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "  {:<14} {} ({})", control.name, control.takes(), control.text());
+        let _ = writeln!(text, "  {name:<14} {takes} ({value})");
     }
     text.push_str("\nIn the window:\n");
     for (keys, effect) in window::KEYS {
@@ -269,8 +256,8 @@ impl Job<'_> {
     /// The picture, and how many milliseconds its pixels took.
     fn render(&self) -> (RgbImage, String) {
         let Self { size, samples, .. } = *self;
-        let camera = self.view.camera(size.aspect());
-        let frame = Frame { step: &*self.step, camera: &*camera, size, samples };
+        let camera = self.setup.view().camera(size.aspect());
+        let frame = Frame { step: self.setup.step(), camera: &*camera, size, samples };
         let progress = Progress::new(size.height());
         let picture = frame.render_parallel(|rows| progress.add(rows));
         let milliseconds = progress.finish().as_secs_f64() * 1e3;

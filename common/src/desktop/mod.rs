@@ -8,6 +8,7 @@ mod progress;
 mod window;
 
 use std::process::ExitCode;
+use std::rc::Rc;
 
 #[cfg(feature = "figures")]
 use crate::Figure;
@@ -21,8 +22,8 @@ use command_line::Program;
 /// 0 when all was done, 1 when it failed or a comparison found a difference, 2 for wrong usage, 130
 /// when Ctrl-C or a signal ended it.
 pub fn main<S: Step + Default + 'static>(name: &'static str, concept: &'static str) -> ExitCode {
-    let new = Box::new(|| Box::new(S::default()) as Box<dyn Step>);
-    command_line::run(&Program { name, concept, size: Size::DEFAULT, new })
+    let make = Rc::new(|| Box::new(S::default()) as Box<dyn Step>);
+    command_line::run(&Program { name, concept, size: Size::DEFAULT, make })
 }
 
 /// What an example's `main` runs: a step's program, for a figure of that step.
@@ -30,6 +31,6 @@ pub fn main<S: Step + Default + 'static>(name: &'static str, concept: &'static s
 pub fn figure<L: Step + Clone + 'static>(
     name: &'static str, concept: &'static str, figure: fn() -> Figure<L>,
 ) -> ExitCode {
-    let new = Box::new(move || Box::new(figure()) as Box<dyn Step>);
-    command_line::run(&Program { name, concept, size: figure().size(), new })
+    let make = Rc::new(move || Box::new(figure()) as Box<dyn Step>);
+    command_line::run(&Program { name, concept, size: figure().size(), make })
 }

@@ -23,7 +23,7 @@ use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::Baseline;
 use embedded_graphics::text::Text;
 
-use crate::Control;
+use crate::Setting;
 use crate::Size;
 
 const TEXT: Rgb888 = Rgb888::WHITE;
@@ -183,7 +183,7 @@ impl Overlay {
 
     /// Draws the overlay onto the pixels of a window, 0RGB.
     pub(crate) fn draw(
-        &mut self, pixels: &mut [u32], size: Size, controls: &[Control<'_>], caption: &Caption<'_>,
+        &mut self, pixels: &mut [u32], size: Size, controls: &[Setting], caption: &Caption<'_>,
     ) {
         if self.hidden {
             return;
@@ -249,7 +249,7 @@ fn help(canvas: &mut Canvas<'_>, layout: &Layout, keys: &[(&str, &str)]) {
 }
 
 fn control(
-    canvas: &mut Canvas<'_>, layout: &Layout, row: usize, control: &Control<'_>, selected: bool,
+    canvas: &mut Canvas<'_>, layout: &Layout, row: usize, control: &Setting, selected: bool,
 ) {
     let top = layout.top(row);
     let (text, bar) = if selected { (CHOSEN, CHOSEN) } else { (TEXT, BAR) };
@@ -259,11 +259,11 @@ fn control(
         canvas.fill(area(0, top, layout.margin() / 2, layout.row()), CHOSEN);
     }
     canvas.text(layout, layout.left(NAME), top + 1, &control.name, text);
-    canvas.text(layout, layout.left(VALUE), top + 1, &control.text(), text);
+    canvas.text(layout, layout.left(VALUE), top + 1, &control.text, text);
     let (left, right) = (layout.left(SLIDER), layout.left(VALUE - 1));
     let (top, height) = (top + layout.row() / 3, layout.row() / 3);
     canvas.fill(area(left, top, right - left, height), GROOVE);
-    let length = (control.fraction() * (right - left) as f32).round() as i32;
+    let length = (control.fraction * (right - left) as f32).round() as i32;
     canvas.fill(area(left, top, length, height), bar);
     // The handle: what is taken hold of, and seen where the value is the range's start.
     let handle = area(left + length - layout.margin() / 2, top - 2, layout.margin(), height + 4);

@@ -22,7 +22,6 @@ use minifb::WindowOptions;
 
 use super::command_line::Job;
 use super::command_line::Program;
-use super::command_line::controls;
 use super::command_line::print;
 use super::command_line::report;
 use super::drawing::Drawing;
@@ -31,10 +30,9 @@ use super::overlay::Caption;
 use super::overlay::Overlay;
 use super::overlay::Target;
 use super::overlay::mark;
-use crate::Control;
 use crate::Pixel;
+use crate::Setup;
 use crate::Size;
-use crate::Step;
 use crate::View;
 
 /// The window's keys, what else it understands, and what they do.
@@ -153,14 +151,13 @@ impl Window {
     /// When the window system, or standard output, fails.
     pub(crate) fn run(self, job: Job<'_>) -> Result<()> {
         file::remove_unfinished_on_signal()?;
-        let Job { program, step, view, samples, .. } = job;
+        let Job { program, setup, samples, .. } = job;
         let size = self.size().context("the window has no size")?;
-        let drawing = Drawing::new(size, samples, view.camera(size.aspect()));
+        let drawing = Drawing::new(size, samples, setup.view().camera(size.aspect()));
         Session {
             program,
             window: self,
-            step,
-            view,
+            setup,
             drawing,
             overlay: Overlay::default(),
             held: Held::Nothing,
@@ -254,8 +251,7 @@ enum Held {
 struct Session<'a> {
     program: &'a Program,
     window: Window,
-    step: Box<dyn Step>,
-    view: View,
+    setup: Setup,
     drawing: Drawing,
     overlay: Overlay,
     held: Held,
@@ -289,9 +285,9 @@ impl Session<'_> {
             };
             if mem::take(&mut self.moved) || size != self.drawing.size() {
                 let draft = PERIOD.saturating_sub(self.window.cost).max(PERIOD / 4);
-                self.drawing.restart(size, self.view.camera(size.aspect()), draft);
+                self.drawing.restart(size, self.setup.view().camera(size.aspect()), draft);
             }
-            if self.drawing.work(&*self.step) {
+            if self.drawing.work(self.setup.step()) {
                 self.done.push_back(Instant::now());
                 self.touched = true;
             }
@@ -320,7 +316,8 @@ impl Session<'_> {
         let status = self.status();
         let size = self.drawing.size();
         let hint = if self.saving { SAVING } else { self.note.as_deref().unwrap_or(HINT) };
-        let Self { program, step, view, overlay, marked, .. } = self;
+        let controls = self.setup.list();
+        let Self { program, overlay, marked, .. } = self;
         let caption = Caption {
             name: program.name,
             concept: program.concept,
@@ -333,7 +330,7 @@ impl Session<'_> {
                 let place = |part: f32, pixels: usize| (part * pixels as f32) as usize;
                 mark(pixels, size, place(u, size.width()), place(v, size.height()));
             }
-            overlay.draw(pixels, size, &controls(&mut **step, view), &caption);
+            overlay.draw(pixels, size, &controls, &caption);
         })
     }
 
@@ -385,10 +382,14 @@ impl Session<'_> {
         match key {
             Key::Up => self.select(-1),
             Key::Down => self.select(1),
-            Key::Left => self.change(self.overlay.selected, |control| control.nudge(-nudge)),
-            Key::Right => self.change(self.overlay.selected, |control| control.nudge(nudge)),
+            Key::Left => {
+                self.change(self.overlay.selected, |setup, name| setup.nudge(name, -nudge))
+            }
+            Key::Right => {
+                self.change(self.overlay.selected, |setup, name| setup.nudge(name, nudge))
+            }
             Key::Home => {
-                (self.step, self.view) = self.program.start();
+                self.setup.reset_all();
                 self.marked = None;
                 self.moved = true;
             }
@@ -405,29 +406,21 @@ impl Session<'_> {
     }
 
     fn select(&mut self, by: isize) {
-        let count = self.controls().len();
+        let count = self.setup.list().len();
         self.overlay.select(by, count);
     }
 
-    fn controls(&mut self) -> Vec<Control<'_>> {
-        controls(&mut *self.step, &mut self.view)
-    }
-
-    fn change(&mut self, index: usize, change: impl FnOnce(&mut Control<'_>)) {
-        let mut controls = self.controls();
-        let Some(control) = controls.get_mut(index) else {
-            return;
-        };
-        let before = control.fraction();
-        change(control);
-        let moved = control.fraction() != before;
-        self.moved |= moved;
+    fn change(&mut self, index: usize, change: impl FnOnce(&mut Setup, &str)) {
+        if let Some(setting) = self.setup.list().get(index) {
+            change(&mut self.setup, &setting.name);
+            self.moved = true;
+        }
     }
 
     fn mouse(&mut self) -> Result<()> {
         let notches = mem::take(&mut self.window.wheel);
         if notches != 0.0 {
-            self.view.zoom(ZOOM.powf(notches));
+            self.setup.zoom(ZOOM.powf(notches));
             self.moved = true;
         }
         let down = self.window.pressed;
@@ -446,8 +439,8 @@ impl Session<'_> {
     }
 
     fn press(&mut self, at: (f32, f32)) {
-        let (size, count) = (self.drawing.size(), self.controls().len());
-        let View { azimuth, elevation, .. } = self.view;
+        let (size, count) = (self.drawing.size(), self.setup.list().len());
+        let View { azimuth, elevation, .. } = *self.setup.view();
         self.held = match self.overlay.target(size, count, at.0, at.1) {
             Target::Picture => {
                 let Pixel { col, row, .. } = self.pixel(at);
@@ -461,7 +454,7 @@ impl Session<'_> {
                 self.touched = true;
                 match on_slider {
                     Some(fraction) => {
-                        self.change(index, |control| control.set_fraction(fraction));
+                        self.change(index, |setup, name| setup.set_fraction(name, fraction));
                         Held::Slider(index)
                     }
                     None => Held::Panel,
@@ -476,7 +469,7 @@ impl Session<'_> {
             Held::Nothing | Held::Panel => {}
             Held::Slider(index) => {
                 let (index, fraction) = (*index, self.overlay.fraction(size, x));
-                self.change(index, |control| control.set_fraction(fraction));
+                self.change(index, |setup, name| setup.set_fraction(name, fraction));
             }
             Held::Picture { at, azimuth, elevation, click } => {
                 let (right, down) = (x - at.0, y - at.1);
@@ -486,12 +479,11 @@ impl Session<'_> {
                 *click = false;
                 self.note = None;
                 // From where the drag began, so that it does not matter in how many moves.
-                let mut view = self.view.clone();
-                (view.azimuth, view.elevation) = (*azimuth, *elevation);
+                let view = self.setup.view();
+                let (turned, lifted) = (*azimuth - view.azimuth, *elevation - view.elevation);
                 let angle = 180.0 / size.height() as f32;
-                view.orbit(-right * angle, down * angle);
-                self.moved |= view != self.view;
-                self.view = view;
+                self.setup.orbit(turned - right * angle, lifted + down * angle);
+                self.moved = true;
             }
         }
     }
@@ -506,8 +498,8 @@ impl Session<'_> {
     /// Prints how the pixel at a place came by its colour, and marks it.
     fn explain(&mut self, at: (f32, f32)) -> Result<()> {
         let pixel = self.pixel(at);
-        let camera = self.view.camera(self.drawing.size().aspect());
-        print(&self.step.explain(&*camera, pixel).to_string())?;
+        let camera = self.setup.view().camera(self.drawing.size().aspect());
+        print(&self.setup.step().explain(&*camera, pixel).to_string())?;
         let Pixel { col, row, width, height } = pixel;
         self.marked = Some(((col as f32 + 0.5) / width as f32, (row as f32 + 0.5) / height as f32));
         self.note = Some(format!("pixel ({col}, {row}): see the terminal"));
