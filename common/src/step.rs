@@ -1,4 +1,5 @@
 use crate::Camera;
+use crate::Color;
 use crate::Controls;
 use crate::Explanation;
 use crate::Image;
@@ -17,6 +18,14 @@ pub trait Step: Sync {
     /// The slide's loop over the pixels of `image`, as `camera` sees them.
     fn render(&self, camera: &dyn Camera, image: &mut Image<'_>);
 
-    /// How `pixel` came by its colour: what the functions that [`render`](Self::render) runs tell.
-    fn explain(&self, camera: &dyn Camera, pixel: Pixel) -> Explanation;
+    /// Tells `say` how `pixel` comes by its colour, which it gives back: what the functions that
+    /// [`render`](Self::render) runs tell.
+    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &mut Explanation) -> Color;
+
+    /// How `pixel` comes by its colour.
+    fn explain(&self, camera: &dyn Camera, pixel: Pixel) -> Explanation {
+        let mut explanation = Explanation::new(pixel);
+        let color = self.tell(camera, pixel, &mut explanation);
+        explanation.seen(color)
+    }
 }

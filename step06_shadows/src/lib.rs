@@ -72,10 +72,8 @@ impl Step for Lesson {
         render(camera, image, |ray| self.trace(ray, &mut Silent));
     }
 
-    fn explain(&self, camera: &dyn Camera, pixel: Pixel) -> Explanation {
-        let mut explanation = Explanation::new(pixel);
-        let ray = viewing_ray(camera, pixel, &mut explanation);
-        let color = self.trace(&ray, &mut explanation);
-        explanation.seen(color)
+    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &mut Explanation) -> Color {
+        let ray = viewing_ray(camera, pixel, say);
+        self.trace(&ray, say)
     }
 }
