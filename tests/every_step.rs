@@ -411,10 +411,11 @@ macro_rules! checks {
             $( $crate::checks!(@@ $step $checks); )*
         }
     };
-    (@@ $step:ident { $($check:ident),* $(,)? }) => {
+    (@@ $step:ident { $($(#[$attribute:meta])* $check:ident),* $(,)? }) => {
         mod $step {
             $(
                 #[test]
+                $(#[$attribute])*
                 fn $check() {
                     super::super::$check::<::$step::Lesson>();
                 }

@@ -3,6 +3,8 @@
 //! Some tests hold to snapshots: files of this folder that the steps themselves made. After a
 //! change that was meant, `UPDATE_SNAPSHOTS=1 cargo test` makes all of them anew; look at what
 //! changed in them before you commit it.
+//!
+//! Tests that need a program besides Rust are ignored, and name it: `cargo test -- --ignored`.
 
 pub mod chance;
 pub mod every_step;
