@@ -219,7 +219,6 @@ impl Job<'_> {
     /// Writes the picture to the file `path`.
     fn write(&self, path: &Path) -> Result<()> {
         let Self { program, size, .. } = self;
-        file::remove_unfinished_on_signal()?;
         file::check_destination(path)?;
         let (picture, time) = self.render();
         file::save_png(&picture, path)?;
@@ -231,7 +230,6 @@ impl Job<'_> {
     /// difference to `output`; whether they are equal.
     fn compare(&self, file: &Path, output: Option<&PathBuf>) -> Result<bool> {
         let Self { program, size, .. } = self;
-        file::remove_unfinished_on_signal()?;
         let found = file::read_png(file)?;
         if let Some(path) = output {
             file::check_destination(path)?;

@@ -150,7 +150,6 @@ impl Window {
     ///
     /// When the window system, or standard output, fails.
     pub(crate) fn run(self, job: Job<'_>) -> Result<()> {
-        file::remove_unfinished_on_signal()?;
         let Job { program, setup, samples, .. } = job;
         let size = self.size().context("the window has no size")?;
         let drawing = Drawing::new(size, samples, setup.view().camera(size.aspect()));
