@@ -155,7 +155,8 @@ impl Frame<'_> {
     pub fn render_rows(&self, first_row: usize, rgb: &mut [u8]) {
         let (n, width, height) = (self.samples, self.size.width, self.size.height);
         let mut colors = vec![Color::ZERO; n * width];
-        let mut sums = vec![Color::ZERO; width];
+        // With one sample the colours are the sums.
+        let mut sums = vec![Color::ZERO; if n > 1 { width } else { 0 }];
         for (row, pixels) in (first_row..).zip(rgb.chunks_exact_mut(3 * width)) {
             sums.fill(Color::ZERO);
             for row in n * row..n * (row + 1) {
@@ -165,7 +166,8 @@ impl Frame<'_> {
                     *sum += colors.iter().sum::<Color>();
                 }
             }
-            for (pixel, sum) in pixels.chunks_exact_mut(3).zip(&sums) {
+            let sums = if n > 1 { &sums } else { &colors };
+            for (pixel, sum) in pixels.chunks_exact_mut(3).zip(sums) {
                 pixel.copy_from_slice(&encode(sum / (n * n) as f32));
             }
         }
