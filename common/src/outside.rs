@@ -93,12 +93,17 @@ impl Outside<'_> {
     pub fn onlooker(view: &View) -> View {
         let (eye, target) = (view.eye(), view.target());
         let far = (eye - target).length().max(1e-3);
-        let middle = eye.lerp(target, 0.5) + 0.1 * far * Vec3::Y;
+        // The parallel camera's window is as large as what it looks at.
+        let (raised, away) = match view.projection {
+            Projection::Perspective => (0.1, 1.55),
+            Projection::Parallel => (0.0, 2.2),
+        };
+        let middle = eye.lerp(target, 0.5) + raised * far * Vec3::Y;
         let mut onlooker = View::new(middle + far * Vec3::Z, middle, 42.0);
         onlooker.azimuth = 0.0;
         onlooker.elevation = 0.0;
         onlooker.orbit(view.azimuth + 52.0, 22.0);
-        onlooker.zoom(1.55);
+        onlooker.zoom(away);
         onlooker
     }
 
@@ -132,10 +137,10 @@ impl Outside<'_> {
             draw_ground(&mut pen);
         }
         let ray = explanation.and_then(viewing_ray);
+        self.draw_window(&mut pen, &window);
         if ray.is_none() || !perspective || !told("intersection") {
             self.draw_rays(&mut pen, &window, ray.is_some());
         }
-        self.draw_window(&mut pen, &window);
         draw_handles(&mut pen, handles);
         if let Some((ray, explanation)) = ray.zip(explanation) {
             self.draw_viewing_ray(&mut pen, &window, &ray, explanation);
@@ -218,7 +223,7 @@ impl Outside<'_> {
 
     /// Some of the many rays, as far as they go before they hit something.
     fn draw_rays(&self, pen: &mut Pen<'_>, window: &Window<'_>, faint: bool) {
-        let ink = symbol_ink("d").unwrap_or(FRAME).with_alpha(if faint { 80 } else { 170 });
+        let ink = symbol_ink("d").unwrap_or(FRAME).with_alpha(if faint { 130 } else { 190 });
         let across = |part: u32, parts: u32, all: u32| (2 * part + 1) * all / (2 * parts);
         for (row, col) in (0..3).flat_map(|row| (0..5).map(move |col| (row, col))) {
             let col = across(col, 5, window.columns);

@@ -60,8 +60,9 @@ impl<'a> Pen<'a> {
                 let faint = ink.with_alpha((u16::from(HIDDEN) * u16::from(ink.alpha) / 255) as u8);
                 self.canvas.dashed(stroke.from, stroke.to, 0.8 * width, faint);
             } else {
-                let under = UNDER.with_alpha(UNDER.alpha.min(ink.alpha));
-                self.canvas.line(stroke.from, stroke.to, width + 2.0, under);
+                if ink.alpha == 255 {
+                    self.canvas.line(stroke.from, stroke.to, width + 2.0, UNDER);
+                }
                 self.canvas.line(stroke.from, stroke.to, width, ink);
             }
         }
