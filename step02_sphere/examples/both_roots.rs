@@ -12,12 +12,13 @@ const END: f32 = 4.0;
 
 const MISSED: Color = Color::new(0.012, 0.014, 0.02);
 
-/// From dark blue for 0 to light yellow for `END`.
+/// From dark blue for 0 over red for 2 to light yellow for `END`, in steps that look equal.
 fn color(number: f32) -> Color {
-    let [low, middle, high] = [[0.01, 0.02, 0.12], [0.5, 0.04, 0.2], [1.0, 0.8, 0.3]];
-    let part = 2.0 * (number / END).clamp(0.0, 1.0);
-    let (from, to) = if part < 1.0 { (low, middle) } else { (middle, high) };
-    Color::from(from).lerp(to.into(), part.fract() + (part / 2.0).floor())
+    const SHADES: [[f32; 3]; 5] =
+        [[0.1, 0.1, 0.3], [0.45, 0.12, 0.5], [0.8, 0.2, 0.35], [1.0, 0.6, 0.25], [1.0, 1.0, 0.7]];
+    let place = (number / END).clamp(0.0, 1.0) * (SHADES.len() - 1) as f32;
+    let [below, above] = [place.floor(), place.ceil()].map(|index| SHADES[index as usize]);
+    Color::from(below).lerp(above.into(), place.fract()).powf(2.2)
 }
 
 /// Adds a panel that shows a number made of both roots.
@@ -37,7 +38,8 @@ fn panel(
 
 fn figure() -> Figure<Lesson> {
     let figure = Figure::new(Lesson::default(), 3)
-        .aspect(0.9)
+        .aspect(0.8)
+        .view(View::new(Vec3::new(0.0, 0.0, 3.0), Vec3::ZERO, 58.0))
         .controls(&["radius", "center.x", "center.y", "center.z"]);
     let figure = panel(figure, "t₁", |[t_1, _]| t_1);
     let figure = panel(figure, "t₂", |[_, t_2]| t_2);

@@ -22,7 +22,7 @@ fn render(lesson: &Lesson, camera: &dyn Camera, image: &mut Image<'_>) {
 
 fn draw(lesson: &Lesson, sketch: &mut Sketch<'_>) {
     sketch.text(sketch.project(lesson.sphere.center), Ink::WHITE, "> 0: two roots");
-    sketch.text(sketch.at(0.5, 0.06), Ink::WHITE, "< 0: no root");
+    sketch.text(sketch.at(0.16, 0.04), Ink::WHITE, "< 0: no root");
 }
 
 fn figure() -> Figure<Lesson> {

@@ -13,13 +13,13 @@ fn draw(lesson: &Lesson, index: usize, sketch: &mut Sketch<'_>) {
     let (middle, edge) = ((vertex(1) + vertex(2)) / 2.0, vertex(2) - vertex(1));
     for (weight, name) in [(0.0, "0"), (0.25, "¼"), (0.5, "½"), (0.75, "¾"), (1.0, "1")] {
         let point = weight * vertex(0) + (1.0 - weight) * middle;
-        let [from, to] = [-0.5, 0.5].map(|along| sketch.project(point + along * edge));
+        let [from, to] = [-0.6, 0.6].map(|along| sketch.project(point + along * edge));
         sketch.canvas.line(from, to, sketch.stroke, Ink::WHITE);
-        sketch.text(sketch.project(point + 0.58 * edge), Ink::WHITE, name);
+        sketch.text(sketch.project(point + 0.72 * edge), Ink::WHITE, name);
     }
-    let center = lesson.vertices.iter().sum::<Vec3>() / 3.0;
-    for (vertex, name) in lesson.vertices.into_iter().zip(["a", "b", "c"]) {
-        sketch.text(sketch.project(vertex + 0.14 * (vertex - center)), Ink::WHITE, name);
+    for (offset, away) in [(0, 0.2), (1, -0.14), (2, -0.14)] {
+        let beside = sketch.project(vertex(offset) + away * (vertex(0) - middle));
+        sketch.text(beside, Ink::WHITE, ["a", "b", "c"][(index + offset) % 3]);
     }
 }
 

@@ -20,7 +20,8 @@ fn set_r(lesson: &mut Lesson, r: f32) {
 
 fn label(lesson: &Lesson) -> String {
     let (r, i) = (r(lesson), lesson.scene.light.intensity);
-    format!("r = {r:.2}: I/r² = {:.2}", i / (r * r))
+    let rounded = |number: f32| (100.0 * number).round() / 100.0;
+    format!("r = {}: I/r² = {}", rounded(r), rounded(i / (r * r)))
 }
 
 fn plot(lesson: &Lesson, sketch: &mut Sketch<'_>) {

@@ -1,6 +1,7 @@
 //! «Modelo Phong/Blinn-Phong»: increasing n narrows the lobe cosⁿα that a highlight is made of.
 use std::process::ExitCode;
 
+use common::Anchor;
 use common::Figure;
 use common::Ink;
 use common::Sketch;
@@ -33,10 +34,10 @@ fn draw(lesson: &Lesson, sketch: &mut Sketch<'_>) {
         let part = index as f32 / 8.0;
         let orange = Color::new(1.0, 0.3, 0.02);
         let curve = Ink::encoded(orange.lerp(Color::new(0.05, 0.3, 1.0), part));
-        let (width, ink) = if index > 8 { (2.5, Ink::WHITE) } else { (1.2, curve) };
+        let (width, ink) = if index > 8 { (2.0, Ink::WHITE) } else { (1.2, curve) };
         sketch.curve(&axes, width, ink, |x| highlight(material, n, x));
         let at = (right.0, right.1 + (index as f32 + 0.5) * line);
-        sketch.canvas.text(at, common::Anchor::Right, sketch.size, ink, &format!("n = {n}"));
+        sketch.canvas.text(at, Anchor::Right, sketch.size, ink, &format!("n = {n}"));
     }
 }
 

@@ -6,7 +6,7 @@ use step07_specular::Lesson;
 
 fn figure() -> Figure<Lesson> {
     let only = |weights| move |lesson: &mut Lesson| lesson.scene.weights = weights;
-    Figure::new(Lesson::default(), 4)
+    Figure::new(Lesson::default(), 2)
         .controls(&["k_d", "k_a", "I_a", "k_s", "p", "lights", "phong"])
         .panel("L_a", only([1.0, 0.0, 0.0]))
         .panel("L_d", only([0.0, 1.0, 0.0]))

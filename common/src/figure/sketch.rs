@@ -118,7 +118,7 @@ impl<'a> Sketch<'a> {
         let corner = axes.at(start.0, start.1);
         self.canvas.line(corner, area.at(Anchor::TopLeft), thin, NUMBERS);
         self.canvas.line(corner, area.at(Anchor::BottomRight), thin, NUMBERS);
-        let below = (left + width / 2.0, top + height - 0.2 * size);
+        let below = (area.left + area.width / 2.0, top + height - 0.2 * size);
         self.canvas.text(below, Anchor::Bottom, size, NUMBERS, x_name);
         axes
     }
