@@ -267,7 +267,8 @@ macro_rules! scenes {
 
             fn scene(world: &World) -> Self::Scene {
                 let sphere = |(ball, paint): &(Ball, Paint)| {
-                    let surface = $step::sphere::Sphere { center: ball.center, radius: ball.radius };
+                    let surface =
+                        $step::sphere::Sphere { center: ball.center, radius: ball.radius };
                     let surface = $step::surface::Surface::Sphere(surface);
                     $step::scene::Object { name: "sphere", material: $material(paint), surface }
                 };

@@ -26,7 +26,7 @@ fn draw(lesson: &Lesson, index: usize, sketch: &mut Sketch<'_>) {
 fn figure() -> Figure<Lesson> {
     let figure = Figure::new(Lesson::default(), 3)
         .aspect(1.0)
-        .view(View::new(Vec3::new(0.0, 0.1, 5.2), Vec3::new(0.0, 0.1, 0.0), 45.0))
+        .view(View::new(Vec3::new(0.0, 0.0, 5.6), Vec3::ZERO, 45.0))
         .controls(&["a.x", "a.y", "b.x", "b.y", "c.x", "c.y"]);
     let weights = [("α", Color::X), ("β", Color::Y), ("γ", Color::Z)];
     weights.into_iter().enumerate().fold(figure, |figure, (index, (name, shown))| {
