@@ -8,6 +8,7 @@ use common::Color;
 use common::Explanation;
 use common::Image;
 use common::Pixel;
+use common::Pixel;
 use common::Ray;
 use common::Silent;
 use common::Step;

@@ -69,9 +69,13 @@ pub use explanation::Place;
 pub use explanation::Section;
 pub use explanation::Value;
 #[cfg(feature = "figures")]
-pub use figure::Canvas as FigureCanvas;
+pub use figure::Axes;
 #[cfg(feature = "figures")]
 pub use figure::Figure;
+#[cfg(feature = "figures")]
+pub use figure::Sketch;
+#[cfg(feature = "figures")]
+pub use figure::told;
 pub use frame::Frame;
 pub use frame::Size;
 pub use frame::SizeError;

@@ -7,6 +7,7 @@ use rayon::iter::ParallelIterator;
 use rayon::slice::ParallelSliceMut;
 
 use crate::Camera;
+use crate::Canvas;
 use crate::Frame;
 use crate::Size;
 use crate::Step;
@@ -132,6 +133,7 @@ impl Drawing {
         while let Some(mut pass) = self.pass {
             self.batch(step, &mut pass);
             if pass.row == pass.size(self.size).height() {
+                self.draw_over(step);
                 self.finish(pass);
                 return true;
             }
@@ -171,6 +173,15 @@ impl Drawing {
             }
         }
         pass.row += rows;
+    }
+
+    fn draw_over(&mut self, step: &dyn Step) {
+        let mut picture = self.picture();
+        step.draw_over(&*self.camera, &mut Canvas::new(&mut picture));
+        for (pixel, rgb) in self.pixels.iter_mut().zip(picture.pixels()) {
+            let [r, g, b] = rgb.0;
+            *pixel = u32::from_be_bytes([0, r, g, b]);
+        }
     }
 
     fn finish(&mut self, pass: Pass) {
