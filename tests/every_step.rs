@@ -8,7 +8,6 @@ use common::Color;
 use common::Explanation;
 use common::Image;
 use common::Pixel;
-use common::Pixel;
 use common::Ray;
 use common::Silent;
 use common::Step;
@@ -187,7 +186,7 @@ macro_rules! packages {
         impl $crate::every_step::Package for $step::Lesson {
             const NAME: &'static str = stringify!($step);
 
-            fn pixel_center(pixel: Pixel) -> (f32, f32) {
+            fn pixel_center(pixel: ::common::Pixel) -> (f32, f32) {
                 $step::render::pixel_center(pixel)
             }
 
