@@ -70,8 +70,6 @@ pub enum Effect {
     Print(String),
     /// Save the picture alone, at the size that was asked for, and then say what became of it.
     Save,
-    /// Make the window as large as the screen, or again as it was.
-    FullScreen,
     /// End.
     Quit,
 }
@@ -92,7 +90,6 @@ pub const KEYS: &[(&str, &str)] = &[
     ("C", "print the command that gives this picture"),
     ("F1", "show or hide these keys"),
     ("F2", "save the picture as a new PNG"),
-    ("F11", "full screen"),
     ("Esc", "unpin; with nothing pinned, quit"),
 ];
 

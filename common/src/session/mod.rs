@@ -44,6 +44,20 @@ pub struct Program {
     pub diff: &'static str,
     /// Its equation and idea in short; "" where there is none to be shown.
     pub idea: &'static str,
+    /// Whether it is a step's figure, an example: its picture is first shown alone.
+    pub is_figure: bool,
+}
+
+impl Program {
+    /// A step without texts beside it.
+    pub fn new(name: &'static str, concept: &'static str, size: Size, make: Make) -> Self {
+        Self { name, concept, make, size, slides: "", diff: "", idea: "", is_figure: false }
+    }
+
+    /// What its window is called.
+    pub fn title(&self) -> String {
+        format!("{}: {}", self.name, self.concept)
+    }
 }
 
 /// A picture that a session shows.
@@ -161,7 +175,7 @@ impl Session {
     pub fn new(
         programs: Vec<Program>, current: usize, setup: Setup, picture: Size, samples: usize,
     ) -> Self {
-        assert!(current < programs.len(), "a session starts with one of its programs");
+        let hidden = programs[current].is_figure;
         let mut session = Self {
             programs,
             current,
@@ -176,7 +190,7 @@ impl Session {
             scroll: 0.0,
             reading_scroll: 0.0,
             text: 1.0,
-            hidden: false,
+            hidden,
             vectors: true,
             onlooker: None,
             compare: Compare::Off,
@@ -245,16 +259,11 @@ impl Session {
         self.layout().picture
     }
 
-    /// What the picture is called in a window's title.
-    pub fn title(&self) -> String {
-        let Program { name, concept, .. } = self.program();
-        format!("{name}: {concept}")
-    }
-
     /// The command that gives exactly this picture.
     pub fn command(&self) -> String {
-        let Program { name, size, .. } = self.program();
-        let mut command = format!("cargo run -p {name}");
+        let Program { name, size, is_figure, .. } = self.program();
+        let kind = if *is_figure { "--example" } else { "-p" };
+        let mut command = format!("cargo run {kind} {name}");
         let mut flags: Vec<String> = Vec::new();
         if self.picture != *size {
             flags.push(format!("--size {}", self.picture));
@@ -397,7 +406,6 @@ impl Session {
             Key::F(2) => self.ask(Effect::Save),
             Key::F(3) => self.read(Reading::Diff),
             Key::F(4) => self.read(Reading::Idea),
-            Key::F(11) => self.ask(Effect::FullScreen),
             Key::F(_) | Key::Char(_) => {}
         }
     }
