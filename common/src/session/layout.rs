@@ -8,7 +8,7 @@ const TEXT: f32 = 0.0385;
 const LEAST_TEXT: f32 = 5.0;
 
 /// How wide the column beside the picture is, in ems: as wide as three numbers of an explanation.
-const COLUMN: f32 = 17.2;
+const COLUMN: f32 = 17.6;
 
 /// Where things have their place in a window. Nothing lies over anything else.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,8 +96,8 @@ impl Layout {
         let (_, below) = split(Area { height, ..outer }, picture.height);
         let beside = if !reading {
             Beside { caption: below, controls: column, reading: None }
-        } else if below.height > 6.0 * row {
-            let (caption, controls) = split(below, 2.9 * row);
+        } else if below.height > 5.5 * row {
+            let (caption, controls) = split(below, 2.5 * row);
             Beside { caption, controls, reading: Some(column) }
         } else {
             let (reading, controls) = split(column, 0.66 * height);

@@ -27,7 +27,7 @@ use crate::Setting;
 use crate::Value;
 use crate::encode;
 
-const HINT: &str = "click a pixel   F1 all keys   Space picture alone";
+const HINT: &str = "click a pixel to see its equations · F1 all keys · Space the picture alone";
 const CAMERA: &str = "camera";
 
 /// What is off by one code is shown as so many.
@@ -128,7 +128,7 @@ impl Session {
     ) {
         let (em, row) = (layout.em, Layout::ROW * layout.em);
         let mut canvas = canvas.clipped(area);
-        let area = area.inset(0.5 * em);
+        let area = area.inset(0.4 * em);
         let Program { name, concept, slides, .. } = self.program();
         if area.height < 5.0 * row {
             let title = format!("{name}   {concept}");

@@ -1,5 +1,3 @@
-use std::ops::Range;
-
 use crate::Anchor;
 use crate::Area;
 use crate::Canvas;
@@ -20,12 +18,16 @@ const BAR: Ink = Ink::new(128, 140, 160);
 
 /// Heights and widths in ems.
 const LINE: f32 = 1.2;
-const HEADING: f32 = 1.55;
+const HIGH: f32 = 1.5;
 const MARGIN: f32 = 0.6;
-const INDENT: f32 = 0.75;
-const NUMBER: f32 = 5.15;
-const SIGN: f32 = 0.36;
+const INDENT: f32 = 0.95;
+const NUMBER: f32 = 4.8;
+const SIGN: f32 = 0.3;
 const NAME: f32 = 5.6;
+/// From this width on controls stand two in a row.
+const TWO: f32 = 24.0;
+/// Between the two.
+const GUTTER: f32 = 1.6;
 
 /// What can be folded.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,8 +70,8 @@ pub(super) struct Panel {
     area: Area,
     em: f32,
     rows: Vec<Row>,
-    /// Where each row starts and ends, in pixels from the first one's top.
-    spans: Vec<Range<f32>>,
+    /// Where each row is, in pixels from the upper left corner of the first one.
+    places: Vec<Area>,
     scroll: f32,
 }
 
@@ -83,12 +85,21 @@ impl Row {
         }
     }
 
+    /// Whether two of them may share a row.
+    fn is_narrow(&self) -> bool {
+        match self {
+            Self::Heading { fold: Fold::Controls(_), open, .. } => !open,
+            Self::Control(_) => true,
+            _ => false,
+        }
+    }
+
     /// How high it is where it may be `width` wide, in pixels.
     fn height(&self, em: f32, width: f32) -> f32 {
         let lines = |count: usize| LINE * em * count as f32;
         match self {
             Self::Heading { fold: Fold::Group(..), .. } => 1.35 * em,
-            Self::Heading { .. } | Self::Control(_) | Self::Pixel { .. } => HEADING * em,
+            Self::Heading { .. } | Self::Control(_) | Self::Pixel { .. } => HIGH * em,
             Self::Line { equation, values } => {
                 lines(Columns::new(equation, values, em, width).count()) + 0.15 * em
             }
@@ -104,8 +115,9 @@ impl Row {
 /// How an equation and its values stand: tabular columns from the right.
 struct Columns {
     equation: Vec<String>,
-    /// How many values a row has.
+    /// How many values a row has, and how wide each is.
     per_row: usize,
+    width: f32,
     rows: usize,
     /// The first of them stands beside the equation.
     beside: bool,
@@ -113,14 +125,16 @@ struct Columns {
 
 impl Columns {
     fn new(equation: &str, values: &[String], em: f32, width: f32) -> Self {
-        let per_row = ((width / (NUMBER * em)) as usize).clamp(1, 3);
+        // Only what has a power of ten is wider than usual; a number alone may reach into the margin.
+        let widest = values.iter().map(|value| Font::width(em, value)).fold(0.0, f32::max);
+        let usual = NUMBER * em + if values.len() == 1 { 0.8 * MARGIN * em } else { 0.0 };
+        let value_width = if widest > usual { widest + 0.3 * em } else { NUMBER * em };
+        let per_row = ((width / value_width) as usize).clamp(1, 3);
         let rows = values.len().div_ceil(per_row);
-        let taken = match values {
-            [word] => Font::width(em, word).max(NUMBER * em),
-            _ => values.len().min(per_row) as f32 * NUMBER * em,
-        };
+        let taken = values.len().min(per_row) as f32 * value_width;
         let beside = Font::width(em, equation) + 0.3 * em <= width - taken;
-        Self { equation: Font::wrap(em, equation, width), per_row, rows, beside }
+        let equation = Font::wrap(em, equation, width);
+        Self { equation, per_row, width: value_width, rows, beside }
     }
 
     fn count(&self) -> usize {
@@ -132,17 +146,31 @@ impl Panel {
     /// `rows` in `area`, the first `scroll` ems of them above it, or as many as there are to be
     /// scrolled.
     pub(super) fn new(area: Area, em: f32, rows: Vec<Row>, scroll: f32) -> Self {
-        let mut panel = Self { area, em, rows, spans: Vec::new(), scroll: 0.0 };
-        let width = panel.inner().width;
-        let mut top = 0.0;
+        let mut panel = Self { area, em, rows, places: Vec::new(), scroll: 0.0 };
+        let inner = panel.inner();
+        let half = match inner.width >= TWO * em {
+            true => (inner.width - GUTTER * em) / 2.0,
+            false => inner.width,
+        };
         for row in &panel.rows {
+            let width = if row.is_narrow() { half } else { inner.width };
             let height = row.height(em, width);
-            panel.spans.push(top..top + height);
-            top += height;
+            let place = match panel.places.last() {
+                Some(last) if last.left == 0.0 && width == half && last.width < inner.width => {
+                    Area::new(inner.width - half, last.top, width, height)
+                }
+                last => Area::new(0.0, last.map_or(0.0, |last| last.bottom()), width, height),
+            };
+            panel.places.push(place);
         }
-        let most = (top - panel.inner().height).max(0.0);
+        let most = (panel.bottom() - inner.height).max(0.0);
         panel.scroll = (scroll * em).clamp(0.0, most);
         panel
+    }
+
+    /// Where the last row ends.
+    fn bottom(&self) -> f32 {
+        self.places.last().map_or(0.0, |last| last.bottom())
     }
 
     fn inner(&self) -> Area {
@@ -162,23 +190,23 @@ impl Panel {
 
     /// Whether all rows can be seen at once.
     pub(super) fn fits(&self) -> bool {
-        self.spans.last().is_none_or(|last| last.end <= self.inner().height)
+        self.bottom() <= self.inner().height
     }
 
     /// How far it has to be scrolled, in ems, for the row with this target to be seen.
     pub(super) fn scroll_to(&self, target: &Target) -> f32 {
         let row = self.rows.iter().position(|row| row.target() == *target);
-        let Some(span) = row.map(|row| &self.spans[row]) else {
+        let Some(place) = row.map(|row| self.places[row]) else {
             return self.scroll();
         };
-        let least = span.end - self.inner().height;
-        self.scroll.max(least).min(span.start) / self.em
+        let least = place.bottom() - self.inner().height;
+        self.scroll.max(least).min(place.top) / self.em
     }
 
     fn row_area(&self, row: usize) -> Area {
-        let (inner, span) = (self.inner(), &self.spans[row]);
-        let top = (inner.top + span.start - self.scroll).round();
-        Area::new(inner.left, top, inner.width, span.end - span.start)
+        let (inner, place) = (self.inner(), self.places[row]);
+        let top = (inner.top + place.top - self.scroll).round();
+        Area { left: inner.left + place.left, top, ..place }
     }
 
     /// The target of the row at `at`, and whether it is on the row's slider.
@@ -186,10 +214,12 @@ impl Panel {
         if !self.area.contains(at) {
             return None;
         }
-        let row = (0..self.rows.len()).find(|row| {
-            let area = self.row_area(*row);
-            (area.top..area.bottom()).contains(&at.1)
-        });
+        // A margin belongs to the row beside it.
+        let around = |area: Area| {
+            let margin = MARGIN * self.em;
+            Area { left: area.left - margin, width: area.width + 2.0 * margin, ..area }
+        };
+        let row = (0..self.rows.len()).find(|row| around(self.row_area(*row)).contains(at));
         Some(row.map_or((Target::Nothing, false), |row| {
             let slider = self.slider(row);
             // A little beyond its ends too, which are hard to hit.
@@ -223,9 +253,11 @@ impl Panel {
                 continue;
             }
             if selected.is_some_and(|selected| *selected == self.rows[row].target()) {
-                let all = Area { left: self.area.left, width: self.area.width, ..area };
-                canvas.fill(all, CHOSEN);
-                canvas.fill(Area { width: 0.2 * self.em, ..all }, ACCENT);
+                let margin = MARGIN * self.em;
+                let left = area.left - margin;
+                let around = Area { left, width: area.width + 2.0 * margin, ..area };
+                canvas.fill(around, CHOSEN);
+                canvas.fill(Area { width: 0.2 * self.em, ..around }, ACCENT);
             }
             self.draw_row(&mut canvas, row, area);
         }
@@ -233,10 +265,10 @@ impl Panel {
     }
 
     fn draw_scroll_bar(&self, canvas: &mut Canvas<'_>) {
-        let all = self.spans.last().map_or(0.0, |last| last.end);
         if self.fits() {
             return;
         }
+        let all = self.bottom();
         let (area, width) = (self.area, 0.16 * self.em);
         let at = |height: f32| height / all * area.height;
         let bar = Area::new(
@@ -335,13 +367,17 @@ fn draw_line(canvas: &mut Canvas<'_>, area: Area, em: f32, equation: &str, value
     }
     for row in values.chunks(columns.per_row) {
         for (from_right, value) in row.iter().rev().enumerate() {
-            let right = area.right() - from_right as f32 * NUMBER * em;
+            let right = area.right() - from_right as f32 * columns.width;
             match value.strip_prefix(['-', ' ']) {
                 Some(number) => {
-                    let left = right - (NUMBER - SIGN) * em;
+                    let left = right - columns.width + 1.3 * SIGN * em;
                     canvas.text((left, top), Anchor::TopLeft, em, TEXT, number);
                     if value.starts_with('-') {
-                        canvas.text((left, top), Anchor::TopRight, em, TEXT, "−");
+                        let sign = (left, top + 0.66 * em);
+                        canvas.fill(
+                            Area::anchored(sign, Anchor::Right, SIGN * em, (0.08 * em).max(1.0)),
+                            TEXT,
+                        );
                     }
                 }
                 None => {
