@@ -8,7 +8,7 @@ const TEXT: f32 = 0.0385;
 const LEAST_TEXT: f32 = 5.0;
 
 /// How wide the column beside the picture is, in ems: as wide as three numbers of an explanation.
-const COLUMN: f32 = 17.6;
+const COLUMN: f32 = 18.0;
 
 /// Where things have their place in a window. Nothing lies over anything else.
 #[derive(Clone, Copy, Debug, PartialEq)]

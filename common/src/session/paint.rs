@@ -54,13 +54,13 @@ impl Session {
         };
         match layout.beside {
             Some(beside) => {
-                self.paint_caption(&mut canvas, &layout, beside.caption, said.as_deref(), status);
                 if let Some(panel) = self.reading_panel() {
                     panel.draw(&mut canvas, None);
                 }
                 if let Some(panel) = self.controls() {
                     panel.draw(&mut canvas, self.selected.as_ref());
                 }
+                self.paint_caption(&mut canvas, &layout, beside.caption, said.as_deref(), status);
             }
             None => {
                 if let Some(said) = said {
@@ -127,19 +127,22 @@ impl Session {
         status: &str,
     ) {
         let (em, row) = (layout.em, Layout::ROW * layout.em);
-        let mut canvas = canvas.clipped(area);
+        let below = Area { height: canvas.area().height - area.top, ..area };
+        let mut canvas = canvas.clipped(below);
         let area = area.inset(0.4 * em);
         let Program { name, concept, slides, .. } = self.program();
         if area.height < 5.0 * row {
             let title = format!("{name}   {concept}");
+            let (text, ink) = said.map_or((status, FAINT), |said| (said, TEXT));
+            let lines = Font::wrap(em, text, area.width).len();
+            let height = row * lines as f32;
+            let below = Area { top: area.top + row, height, ..area };
+            // What is longer lies over the controls until the next key.
+            canvas.fill(below.inset(-0.4 * em), BACKGROUND);
+            draw_text(&mut canvas, below, em, ink, text);
             let at = area.at(Anchor::TopLeft);
             canvas.text_within(at, Anchor::TopLeft, em, TEXT, &title, area.width);
             canvas.text_within(at, Anchor::TopLeft, em, ACCENT, name, area.width);
-            let below = Area { top: area.top + row, ..area };
-            match said {
-                Some(said) => draw_text(&mut canvas, below, em, TEXT, said),
-                None => draw_text(&mut canvas, below, em, FAINT, status),
-            };
             return;
         }
         let mut top = draw_text(&mut canvas, area, 1.2 * em, ACCENT, name) + 0.2 * em;

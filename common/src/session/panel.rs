@@ -21,7 +21,7 @@ const LINE: f32 = 1.2;
 const HIGH: f32 = 1.5;
 const MARGIN: f32 = 0.6;
 const INDENT: f32 = 0.95;
-const NUMBER: f32 = 4.8;
+const NUMBER: f32 = 5.0;
 const SIGN: f32 = 0.3;
 const NAME: f32 = 5.6;
 /// From this width on controls stand two in a row.
@@ -132,7 +132,7 @@ impl Columns {
         let per_row = ((width / value_width) as usize).clamp(1, 3);
         let rows = values.len().div_ceil(per_row);
         let taken = values.len().min(per_row) as f32 * value_width;
-        let beside = Font::width(em, equation) + 0.3 * em <= width - taken;
+        let beside = Font::width(em, equation) + 0.1 * em <= width - taken;
         let equation = Font::wrap(em, equation, width);
         Self { equation, per_row, width: value_width, rows, beside }
     }
