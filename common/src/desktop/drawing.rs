@@ -7,6 +7,7 @@ use rayon::iter::ParallelIterator;
 use rayon::slice::ParallelSliceMut;
 
 use crate::Camera;
+use crate::Canvas;
 use crate::Frame;
 use crate::Size;
 use crate::Step;
@@ -141,6 +142,7 @@ impl Drawing {
         while let Some(mut pass) = self.pass {
             self.batch(step, &mut pass);
             if pass.row == pass.size(self.size).height() {
+                self.draw_over(step);
                 self.finish(pass);
                 return true;
             }
@@ -183,6 +185,10 @@ impl Drawing {
             }
         }
         pass.row += rows;
+    }
+
+    fn draw_over(&mut self, step: &dyn Step) {
+        step.draw_over(&*self.camera, &mut Canvas::new(&mut self.picture));
     }
 
     fn finish(&mut self, pass: Pass) {

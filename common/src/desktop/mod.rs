@@ -18,8 +18,7 @@ use crate::Step;
 /// What a step's `main` runs: the command line, and what it asks for.
 ///
 /// `name` is the step's package, `concept` the line that says what it teaches. The exit status is
-/// 0 when all was done, 1 when it failed or a comparison found a difference, 2 for wrong usage, 130
-/// when Ctrl-C or a signal ended it.
+/// 0 when all was done, 1 when it failed or a comparison found a difference, 2 for wrong usage.
 pub fn main<S: Step + Default + 'static>(name: &'static str, concept: &'static str) -> ExitCode {
     let make = Rc::new(|| Box::new(S::default()) as Box<dyn Step>);
     command_line::run(&Program::new(name, concept, Size::DEFAULT, make))

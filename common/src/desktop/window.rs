@@ -124,7 +124,6 @@ impl Window {
     ///
     /// When the window system, or standard output, fails.
     pub(crate) fn run(self, session: Session, samples: usize) -> Result<()> {
-        file::remove_unfinished_on_signal()?;
         let size = self.size().context("the window has no size")?;
         Shell {
             window: self,

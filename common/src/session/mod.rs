@@ -10,12 +10,16 @@ use std::mem;
 use crate::Area;
 use crate::Camera;
 use crate::Explanation;
+use crate::Handle;
 use crate::Make;
+use crate::Outside;
 use crate::Pixel;
 use crate::Setup;
+use crate::Sight;
 use crate::Size;
-use crate::Projection;
 use crate::View;
+use crate::drag;
+use crate::handle_at;
 pub use event::Effect;
 pub use event::Event;
 pub use event::KEYS;
@@ -145,6 +149,8 @@ enum Held {
         elevation: f32,
         click: bool,
     },
+    /// A point of the world that is marked in the picture.
+    Point(Handle),
     /// The slider of a control.
     Slider(String),
     /// The line between the step before and this one.
@@ -285,7 +291,7 @@ impl Session {
         let area = self.layout().picture;
         let size = Size::new(area.width as usize, area.height as usize).unwrap_or(self.window);
         let wanted = |setup, program| {
-            let view = self.onlooker.as_ref().unwrap_or(self.setup.view());
+            let view = self.seen_from();
             Wanted { setup, camera: view.camera(self.picture.aspect()), size, program }
         };
         let this = wanted(&self.setup, self.current);
@@ -477,11 +483,8 @@ impl Session {
         self.onlooker = match self.onlooker {
             Some(_) => None,
             None => {
-                let mut view = self.setup.view().clone();
-                view.projection = Projection::Perspective;
-                view.orbit(50.0, 15.0);
-                view.zoom(1.9);
-                Some(view)
+                self.say("the camera from outside; O looks through it again".to_owned());
+                Some(Outside::onlooker(self.setup.view()))
             }
         };
         self.changed();
@@ -617,7 +620,13 @@ impl Session {
                 return Held::Divider;
             }
         }
-        let View { azimuth, elevation, .. } = *self.onlooker.as_ref().unwrap_or(self.setup.view());
+        let mut points = self.points();
+        let camera = self.seen_from().camera(self.picture.aspect());
+        let sight = Sight { step: self.setup.step(), camera: &*camera, area: layout.picture };
+        if let Some(place) = handle_at(&sight, &points, at, layout.em.max(8.0)) {
+            return Held::Point(points.swap_remove(place));
+        }
+        let View { azimuth, elevation, .. } = *self.seen_from();
         Held::Picture { at, azimuth, elevation, click: true }
     }
 
@@ -644,6 +653,14 @@ impl Session {
                 }
                 self.held = Held::Slider(name);
             }
+            Held::Point(mut point) => {
+                let (u, down) = self.part((x, y));
+                let camera = self.seen_from().camera(self.picture.aspect());
+                point.position = drag(&*camera, point.position, (u, 1.0 - down));
+                self.setup.move_point(&point, point.position);
+                self.changed();
+                self.held = Held::Point(point);
+            }
             Held::Divider => {
                 self.compare = Compare::Divided(self.part((x, y)).0.clamp(0.0, 1.0));
                 self.ask(Effect::Repaint);
@@ -659,7 +676,7 @@ impl Session {
                 }
                 // From where the drag began, so that it does not matter in how many moves.
                 let angle = 180.0 / height;
-                let view = self.onlooker.as_ref().unwrap_or(self.setup.view());
+                let view = self.seen_from();
                 let turned = azimuth - view.azimuth - right * angle;
                 let lifted = elevation - view.elevation + down * angle;
                 match &mut self.onlooker {
@@ -669,6 +686,26 @@ impl Session {
                 self.changed();
             }
         }
+    }
+
+    /// From where the picture is seen.
+    fn seen_from(&self) -> &View {
+        self.onlooker.as_ref().unwrap_or(self.setup.view())
+    }
+
+    /// The points of the world that are marked in the picture: of several spheres the chosen one's.
+    fn points(&mut self) -> Vec<Handle> {
+        if !self.vectors || (self.pinned.is_none() && self.onlooker.is_none()) {
+            return Vec::new();
+        }
+        let settings = self.setup.list();
+        let is_chosen = |(kind, which): (&str, &str)| {
+            let choice = settings.iter().find(|setting| setting.name == kind);
+            choice.is_some_and(|choice| which.split(' ').next() == Some(&choice.text))
+        };
+        let mut points = self.setup.points();
+        points.retain(|point| point.name != "center" || point.of.is_none_or(is_chosen));
+        points
     }
 
     fn wheel(&mut self, notches: f32) {

@@ -23,8 +23,11 @@ use crate::Explanation;
 use crate::Font;
 use crate::Ink;
 use crate::Outcome;
+use crate::Outside;
 use crate::Setting;
+use crate::Sight;
 use crate::Value;
+use crate::draw_vectors;
 use crate::encode;
 
 const HINT: &str = "click a pixel to see its equations · F1 all keys · Space the picture alone";
@@ -46,7 +49,7 @@ impl Session {
         let layout = self.layout();
         let mut canvas = Canvas::new(window);
         let differing = self.paint_pictures(&mut canvas, &layout, pictures);
-        self.paint_pin(&mut canvas, &layout);
+        self.paint_vectors(&mut canvas, &layout);
         let said = match (&self.note, differing) {
             (Some(note), _) => Some(note.clone()),
             (None, Some((pixels, of))) => Some(format!("{pixels} of {of} pixels differ")),
@@ -109,16 +112,28 @@ impl Session {
         }
     }
 
-    fn paint_pin(&self, canvas: &mut Canvas<'_>, layout: &Layout) {
-        let Some((u, v)) = self.pinned.filter(|_| self.onlooker.is_none()) else {
-            return;
-        };
-        let area = layout.picture;
-        let at = (area.left + u * area.width, area.top + v * area.height);
-        let unit = (layout.em / 10.0).max(1.0);
+    /// What is told of the pinned pixel with a place in the world; outside, the camera too.
+    fn paint_vectors(&mut self, canvas: &mut Canvas<'_>, layout: &Layout) {
+        let points = self.points();
+        let explanation = self.explanation().filter(|_| self.vectors);
+        let (area, text_size) = (layout.picture, layout.em.clamp(11.0, 40.0));
+        let (step, view) = (self.setup.step(), self.setup.view());
         let mut canvas = canvas.clipped(area);
-        canvas.ring(at, 4.0 * unit, 2.4 * unit, Ink::BLACK);
-        canvas.ring(at, 4.0 * unit, 1.2 * unit, ACCENT);
+        if let Some(onlooker) = &self.onlooker {
+            let outside = Outside { step, view, onlooker, area };
+            return outside.draw(&mut canvas, explanation.as_ref(), &points, text_size);
+        }
+        if explanation.is_some() {
+            let camera = view.camera(self.picture.aspect());
+            let sight = Sight { step, camera: &*camera, area };
+            draw_vectors(&mut canvas, sight, explanation.as_ref(), &points, text_size);
+        }
+        if let Some((u, v)) = self.pinned {
+            let at = (area.left + u * area.width, area.top + v * area.height);
+            let unit = (layout.em / 10.0).max(1.0);
+            canvas.ring(at, 4.0 * unit, 2.4 * unit, Ink::BLACK);
+            canvas.ring(at, 4.0 * unit, 1.2 * unit, ACCENT);
+        }
     }
 
     /// What the program is, what happened last, and how long the picture took.

@@ -4,7 +4,7 @@ use crate::Canvas;
 use crate::Font;
 use crate::Ink;
 use crate::Setting;
-use crate::vectors::symbol_ink;
+use crate::symbol_ink;
 
 /// Behind all that is beside the picture.
 pub(super) const BACKGROUND: Ink = Ink::new(21, 24, 31);
