@@ -68,6 +68,7 @@ pub use explanation::Line;
 pub use explanation::Outcome;
 pub use explanation::Place;
 pub use explanation::Section;
+pub use explanation::Slip;
 pub use explanation::Value;
 #[cfg(feature = "figures")]
 pub use figure::Axes;
