@@ -36,12 +36,12 @@ const RIGHT: &[(usize, &[Change])] = &[
     (6, &[("scene.rs", "let mut result = say.term(\"L_a = k_a I_a\", k_a * i_a);", "let mut result = Color::ZERO;"), ("scene.rs", "say.sum(\"L\", result)", "say.sum(\"L\", result + k_a * i_a)")]),
     (6, &[NAIVE, ("scene.rs", "self.lights.iter().take(self.lit)", "self.lights[..self.lit].iter().rev()")]),
     (7, &[("material.rs", "(v + l).normalize_or_zero()", "(v + l) / (v + l).length()")]),
-    (7, &[("material.rs", "cos_alpha.max(0.0).powf(p)", "(p * cos_alpha.max(0.0).ln()).exp()")]),
+    (7, &[("material.rs", "model(n, l, v, point, say).max(0.0).powf(p)", "(p * model(n, l, v, point, say).max(0.0).ln()).exp()")]),
     (7, &[NAIVE, ("scene.rs", "result += say.term(\"d L_d + s L_s\", d * l_d + s * l_s);", "result += s * l_s; result += d * l_d;")]),
 ];
 
 /// As on the slide: t counts from p.
-const NAIVE: Change = ("sphere.rs", "d.dot(self.center - p) / a", "0.0");
+const NAIVE: Change = ("sphere.rs", ", -b / a)", ", 0.0)");
 
 /// Each weight the share of an area.
 const AREAS: &str = "
@@ -65,7 +65,7 @@ const WRONG: &[(usize, &[Change], &str)] = &[
     (2, &[NAIVE, ("sphere.rs", "b * b - a * c", "b * b + a * c")], "The sign in the discriminant"),
     (2, &[NAIVE, ("sphere.rs", "b * b - a * c", "b * b - 4.0 * a * c")], "b² − 4 a c"),
     (2, &[("sphere.rs", "self.radius * self.radius", "self.radius")], "The radius is not squared"),
-    (2, &[("sphere.rs", "p - self.center + t_0 * d", "p"), NAIVE], "The sphere's centre"),
+    (2, &[("sphere.rs", "ray.origin - self.center", "ray.origin")], "The sphere's centre"),
     (2, &[("sphere.rs", "if discriminant < 0.0", "if discriminant > 0.0")], ""),
     (3, &[("triangle.rs", "[(self.alpha, \"α < 0\"), ", "[")], "α ≥ 0 is not asked"),
     (3, &[("triangle.rs", "(self.beta, \"β < 0\"), ", "")], "β ≥ 0 is not asked"),
@@ -102,10 +102,10 @@ const WRONG: &[(usize, &[Change], &str)] = &[
     (6, &[("scene.rs", "say.term(\"L_d\", l_d)", "say.term(\"L_d\", l_d + k_a * i_a)"), ("scene.rs", "k_a * i_a);\n        for", "0.0 * k_a * i_a);\n        for")], "The ambient term is added for each light that is seen"),
     (6, &[("scene.rs", "say.group(light.name);", "say.group(light.name); result += 0.5 * k_a * i_a;")], "" ),
     (6, &[("scene.rs", "blocker.is_none())) > 0.0", "blocker.is_some())) > 0.0")], "It is the wrong way round"),
-    (7, &[("material.rs", "if k_s > 0.0 && n_dot_l > 0.0", "if k_s > 0.0")], "A light behind the surface"),
+    (7, &[("material.rs", "k_s > 0.0 && n_dot_l > 0.0", "k_s > 0.0")], "A light behind the surface"),
     (7, &[("material.rs", "if self.phong { phong }", "if !self.phong { phong }")], "The highlight is Phong's"),
-    (7, &[("material.rs", "powf(p)", "powf(p / 4.0)")], "p is too small by a factor 4"),
-    (7, &[("material.rs", "powf(p)", "powf(4.0 * p)")], "p is too large by a factor 4"),
+    (7, &[("material.rs", "powf(p);", "powf(p / 4.0);")], "p is too small by a factor 4"),
+    (7, &[("material.rs", "powf(p);", "powf(4.0 * p);")], "p is too large by a factor 4"),
     (7, &[("material.rs", "(v + l).normalize_or_zero()", "(v + l) / 2.0")], "h is (v + l)/2"),
     (7, &[("material.rs", "-ray.direction.normalize()", "ray.direction.normalize()")], "v points from the eye"),
     (7, &[("material.rs", "k_s * irradiance * highlight", "k_s * highlight")], "The highlight is not multiplied by I/r²"),
@@ -176,7 +176,8 @@ impl Copy {
         let mut check = match step {
             1 => {
                 let mut cargo = self.cargo();
-                cargo.args(["run", "-p", reached, "--"]);
+                cargo.args(["run", "-p", reached, "--manifest-path"]);
+                cargo.arg(self.root.join("Cargo.toml")).arg("--");
                 cargo
             }
             _ => Command::new(self.programs.join(reached)),

@@ -256,7 +256,6 @@ fn read(output: &mut impl Read, size: Size) -> io::Result<Result<RgbImage, Strin
 /// Says whether the program of step `name` is `program`, or of `program` itself whether its pixel
 /// loop is right; and if not, where and perhaps why. Whether it is.
 pub(super) fn check(program: &Program, name: &str, output: Option<&PathBuf>) -> Result<bool> {
-    file::remove_unfinished_on_signal()?;
     let output = output.map_or(Path::new("check.png"), PathBuf::as_path);
     file::check_destination(output)?;
     let itself = name == program.name;
