@@ -79,6 +79,10 @@ const VIEWS: &[(usize, usize, bool, &str)] = &[
     (160, 90, false, "distance=0.1 fov=120 camera=parallel"),
     (160, 90, true, ""),
     (160, 90, true, "camera=parallel"),
+    (160, 90, false, "sphere=green center.x=-0.9 center.z=0.7"),
+    (160, 90, false, "light=key light.x=0.2 light.y=0.7 light.z=2.8"),
+    (160, 90, false, "light=key light.x=0.5 light.y=1 light.z=-4 I=200"),
+    (160, 90, false, "light=key light.x=-3 light.y=0.3 light.z=0 shadows=off"),
 ];
 
 impl fmt::Display for Case {
@@ -102,7 +106,8 @@ impl Case {
         let mut cases = Vec::new();
         for &(width, height, backwards, settings) in VIEWS {
             let settings = settings.split_whitespace().map(str::to_owned).collect();
-            cases.push(Self { size: Size::new(width, height)?, backwards, settings });
+            let case = Self { size: Size::new(width, height)?, backwards, settings };
+            cases.extend(case.scene(make).is_ok().then_some(case));
         }
         let views: Vec<String> =
             Setup::new(make.clone()).view().clone().controls().iter().map(|c| c.name.clone()).collect();
@@ -119,7 +124,11 @@ impl Case {
             };
             for fraction in fractions.into_iter().filter(|fraction| *fraction != setting.fraction) {
                 setup.set_fraction(&setting.name, fraction);
-                let settings = setup.settings();
+                let mut settings = setup.settings();
+                // It ends by choosing the first object again.
+                if settings.len() > 1 && settings.first() == settings.last() {
+                    settings.pop();
+                }
                 setup.reset_all();
                 cases.push(Self { size: Size::new(160, 90)?, backwards: false, settings });
             }
@@ -253,6 +262,14 @@ fn read(output: &mut impl Read, size: Size) -> io::Result<Result<RgbImage, Strin
     Ok(Err(String::from_utf8_lossy(&name).into_owned()))
 }
 
+/// The mistakes in one line each.
+pub(super) fn said_of(mistakes: &[&Mistake]) -> String {
+    match mistakes {
+        [first, second] => format!("{first}\nOr: {second}\n"),
+        _ => mistakes.iter().map(|mistake| format!("{mistake}\n")).collect(),
+    }
+}
+
 /// Says whether the program of step `name` is `program`, or of `program` itself whether its pixel
 /// loop is right; and if not, where and perhaps why. Whether it is.
 pub(super) fn check(program: &Program, name: &str, output: Option<&PathBuf>) -> Result<bool> {
@@ -308,9 +325,7 @@ pub(super) fn check(program: &Program, name: &str, output: Option<&PathBuf>) -> 
     let comparison = compare(pair);
     text += &format!("{comparison}\n");
     let pairs: Vec<Pair<'_>> = pairs.iter().map(|(_, pair)| Pair { ..*pair }).collect();
-    if let Some(mistake) = Mistake::named(&pairs) {
-        text += &format!("{mistake}\n");
-    }
+    text += &said_of(&Mistake::named(&pairs));
     if let Comparison::Different(difference) = comparison {
         let (col, row) = (difference.worst.0 as usize, difference.worst.1 as usize);
         let (width, height) = (case.size.width(), case.size.height());
