@@ -18,7 +18,6 @@ use image::RgbImage;
 use image::imageops;
 use image::imageops::FilterType;
 
-use super::command_line::Program;
 use super::command_line::print;
 use super::command_line::report;
 use super::file;
@@ -29,6 +28,7 @@ use crate::Make;
 use crate::Mistake;
 use crate::Pair;
 use crate::Pixel;
+use crate::Program;
 use crate::Ray;
 use crate::Setup;
 use crate::Size;
@@ -341,6 +341,6 @@ pub(super) fn check(program: &Program, name: &str, output: Option<&PathBuf>) -> 
     let picture = imageops::resize(&picture, width, height, FilterType::Nearest);
     file::save_png(&picture, output)?;
     let path = output.display();
-    report(program, &format!("expected, found and 8 × their difference written to {path}"));
+    report(program.name, &format!("expected, found and 8 × their difference written to {path}"));
     Ok(false)
 }

@@ -28,6 +28,8 @@ use crate::Comparison;
 use crate::Frame;
 use crate::KEYS;
 use crate::Outside;
+use crate::Mistake;
+use crate::Pair;
 use crate::Pixel;
 use crate::Program;
 use crate::Session;
@@ -309,7 +311,15 @@ impl Job<'_> {
         }
         let (expected, time) = self.render();
         let comparison = Comparison::new(&expected, &found, &[]);
-        print(&format!("{}: {comparison}\n", file.display()))?;
+        let mut text = format!("{}: {comparison}\n", file.display());
+        if matches!(comparison, Comparison::Different(_)) {
+            let camera = self.setup.view().camera(size.aspect());
+            let (step, samples) = (self.setup.step(), self.samples);
+            let frame = Frame { step, camera: &*camera, size: *size, samples };
+            let pair = Pair { frame, expected: &expected, found: &found };
+            text += &check::said_of(&Mistake::named(&[pair]));
+        }
+        print(&text)?;
         let mut done = format!("{size} rendered in {time} ms, compared with {}", file.display());
         if let Some(path) = output {
             file::save_png(&side_by_side(&expected, &found), path)?;

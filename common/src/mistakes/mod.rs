@@ -16,6 +16,7 @@ use crate::Ray;
 use crate::Slip;
 use crate::Step;
 use crate::TOLERANCE;
+use crate::compare::off;
 use crate::encode;
 use known::CENTER;
 use known::VISIBLE;
@@ -77,7 +78,8 @@ impl Mistake {
         }
         let misfits = |mistake: &'static Self| {
             let fits = |&(pair, col, row): &(&Pair<'_>, u32, u32)| {
-                near(mistake.pixel(&pair.frame, col, row), pair.found.get_pixel(col, row).0)
+                let pixel = mistake.pixel(&pair.frame, col, row);
+                off(pixel, pair.found.get_pixel(col, row).0) <= TOLERANCE
             };
             let count = |places: &[(&Pair<'_>, u32, u32)], most: usize| {
                 let misfits = places.iter().filter(|place| !fits(place)).take(most + 1).count();
@@ -173,15 +175,6 @@ fn first_hit(step: &dyn Step, ray: Ray, pixel: Pixel) -> Option<f32> {
 
 fn byte(value: f32) -> u8 {
     (255.0 * value).round() as u8
-}
-
-fn off(a: [u8; 3], b: [u8; 3]) -> u8 {
-    a.iter().zip(b).map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)
-}
-
-/// Whether two pixels are equal within the threshold.
-fn near(a: [u8; 3], b: [u8; 3]) -> bool {
-    off(a, b) <= TOLERANCE
 }
 
 /// About `most` of the places where the pictures are so far off, evenly from all of them.
