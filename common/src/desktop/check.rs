@@ -82,7 +82,7 @@ const VIEWS: &[(usize, usize, bool, &str)] = &[
     (160, 90, false, "sphere=green center.x=-0.9 center.z=0.7"),
     (160, 90, false, "light=key light.x=0.2 light.y=0.7 light.z=2.8"),
     (160, 90, false, "light=key light.x=0.5 light.y=1 light.z=-4 I=200"),
-    (160, 90, false, "light=key light.x=-3 light.y=0.3 light.z=0 shadows=off"),
+    (160, 90, false, "light=key light.x=-0.4 light.y=1.9 light.z=-3 shadows=off"),
 ];
 
 impl fmt::Display for Case {
@@ -109,8 +109,13 @@ impl Case {
             let case = Self { size: Size::new(width, height)?, backwards, settings };
             cases.extend(case.scene(make).is_ok().then_some(case));
         }
-        let views: Vec<String> =
-            Setup::new(make.clone()).view().clone().controls().iter().map(|c| c.name.clone()).collect();
+        let views: Vec<String> = Setup::new(make.clone())
+            .view()
+            .clone()
+            .controls()
+            .iter()
+            .map(|c| c.name.clone())
+            .collect();
         let mut setup = Setup::new(make.clone());
         for setting in setup.list() {
             if views.contains(&setting.name) {
@@ -239,9 +244,8 @@ fn ask(name: &str, cases: &[Case]) -> Result<Vec<Result<RgbImage, String>>> {
     let mut pictures = Vec::new();
     for case in cases {
         let picture = read(&mut output, case.size);
-        let stopped = || {
-            anyhow!("{name} stops at {}: what it says of that stands above", case.options())
-        };
+        let stopped =
+            || anyhow!("{name} stops at {}: what it says of that stands above", case.options());
         pictures.push(picture.map_err(|_| stopped())?);
     }
     run.wait()?;

@@ -27,8 +27,8 @@ use crate::Canvas;
 use crate::Comparison;
 use crate::Frame;
 use crate::KEYS;
-use crate::Outside;
 use crate::Mistake;
+use crate::Outside;
 use crate::Pair;
 use crate::Pixel;
 use crate::Program;
@@ -123,7 +123,10 @@ pub(crate) fn run(program: &Program) -> ExitCode {
             }
             Err(error) => {
                 let path = PathBuf::from(format!("{}.png", program.name));
-                report(program.name, &format!("no window ({error}), so the picture goes to a file"));
+                report(
+                    program.name,
+                    &format!("no window ({error}), so the picture goes to a file"),
+                );
                 job.write(&path)
             }
         },
@@ -170,9 +173,10 @@ fn command(program: &Program) -> Command {
                 .conflicts_with("compare"),
         )
         .arg(file("compare").value_parser(PathBufValueParser::new()).conflicts_with("pixel"))
-        .arg(option("check", "STEP").conflicts_with_all([
-            "size", "camera", "set", "samples", "pixel", "compare",
-        ]))
+        .arg(
+            option("check", "STEP")
+                .conflicts_with_all(["size", "camera", "set", "samples", "pixel", "compare"]),
+        )
         // For --check of another step: it asks for pictures on standard input.
         .arg(Arg::new("cases").long("cases").action(ArgAction::SetTrue).hide(true))
 }
@@ -292,7 +296,10 @@ impl Job<'_> {
         let (mut picture, time) = self.render();
         self.draw(&mut picture);
         file::save_png(&picture, path)?;
-        report(program.name, &format!("{size} rendered in {time} ms, written to {}", path.display()));
+        report(
+            program.name,
+            &format!("{size} rendered in {time} ms, written to {}", path.display()),
+        );
         Ok(())
     }
 
