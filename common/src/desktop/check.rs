@@ -311,7 +311,7 @@ pub(super) fn check(program: &Program, name: &str, output: Option<&PathBuf>) -> 
     let differing: Vec<_> = pairs.iter().filter(|(_, pair)| !compare(pair).is_equal()).collect();
     let lacking = match lacking.is_empty() {
         true => String::new(),
-        false => format!("; not compared, since {name} lacks the controls: {}", lacking.join(", ")),
+        false => format!("; what {name} cannot set is not compared: {}", lacking.join(", ")),
     };
     let Some((case, pair)) = differing.first() else {
         let done = match itself {
