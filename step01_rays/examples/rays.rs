@@ -18,7 +18,7 @@ fn draw(projection: Projection) -> impl Fn(&Lesson, &mut Sketch<'_>) {
 fn figure() -> Figure<Lesson> {
     Figure::new(Lesson::default(), 2)
         .aspect(1.25)
-        .view(View::new(Vec3::new(5.8, 2.5, 4.7), Vec3::new(0.0, -0.35, 1.6), 42.0))
+        .view(View::new(Vec3::new(5.2, 2.8, 6.0), Vec3::new(0.0, -0.1, 1.5), 42.0))
         .controls(&["shown"])
         .panel("perspective: one origin", |_| ())
         .draw(draw(Projection::Perspective))
