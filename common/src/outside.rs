@@ -33,8 +33,8 @@ pub struct Outside<'a> {
     pub step: &'a dyn Step,
     /// The camera that is seen.
     pub view: &'a View,
-    /// From where it is seen; its start is [`onlooker`](Self::onlooker).
-    pub onlooker: &'a View,
+    /// From where it is seen: that of the view [`onlooker`](Self::onlooker) to begin with.
+    pub onlooker: &'a dyn Camera,
     /// The area that is drawn on, and whose shape the camera's picture has too.
     pub area: Area,
 }
@@ -117,8 +117,8 @@ impl Outside<'_> {
     ) {
         let Area { width, height, .. } = self.area;
         let aspect = width / height;
-        let (camera, onlooker) = (self.view.camera(aspect), self.onlooker.camera(aspect));
-        let sight = Sight { step: self.step, camera: &*onlooker, area: self.area };
+        let camera = self.view.camera(aspect);
+        let sight = Sight { step: self.step, camera: self.onlooker, area: self.area };
         let perspective = self.view.projection == Projection::Perspective;
         let window = Window {
             camera: &*camera,
