@@ -6,6 +6,7 @@ use crate::Canvas;
 use crate::Font;
 use crate::Ink;
 use crate::Sight;
+use crate::Stroke;
 use crate::Vec3;
 use crate::sight::distance;
 
@@ -55,7 +56,12 @@ impl<'a> Pen<'a> {
     }
 
     pub(crate) fn line(&mut self, from: Vec3, to: Vec3, width: f32, ink: Ink) {
-        for stroke in self.sight.strokes(from, to) {
+        let strokes = self.sight.strokes(from, to);
+        self.draw(&strokes, width, ink);
+    }
+
+    fn draw(&mut self, strokes: &[Stroke], width: f32, ink: Ink) {
+        for stroke in strokes {
             if stroke.hidden {
                 let faint = ink.with_alpha((u16::from(HIDDEN) * u16::from(ink.alpha) / 255) as u8);
                 self.canvas.dashed(stroke.from, stroke.to, 0.8 * width, faint);
@@ -81,9 +87,18 @@ impl<'a> Pen<'a> {
         } else if length <= head {
             self.canvas.arrow(start, tip, width, ink);
         } else {
-            // The head covers the end of the shaft.
-            let shaft = from.lerp(to, 1.0 - 0.5 * head / length);
-            self.line(from, shaft, width, ink);
+            // What the head covers is left out: it may be faint.
+            let shaft = |at: (f32, f32)| {
+                let too_far =
+                    ((at.0 - start.0) * x + (at.1 - start.1) * y - length + head).max(0.0);
+                (at.0 - too_far * x, at.1 - too_far * y)
+            };
+            let mut strokes = self.sight.strokes(from, to);
+            for stroke in &mut strokes {
+                (stroke.from, stroke.to) = (shaft(stroke.from), shaft(stroke.to));
+            }
+            strokes.retain(|stroke| stroke.from != stroke.to);
+            self.draw(&strokes, width, ink);
             let alpha = if self.sight.is_hidden(to) { HIDDEN } else { 255 };
             let neck = (tip.0 - head * x, tip.1 - head * y);
             if alpha == 255 {
