@@ -56,6 +56,7 @@ struct Window<'a> {
     /// How far it is from the rays' origins.
     depth: f32,
     forward: Vec3,
+    middle: Vec3,
     columns: u32,
     rows: u32,
 }
@@ -79,8 +80,7 @@ impl Window<'_> {
 
     /// The (u, v) at which `ray` passes through it.
     fn crossed(&self, ray: &Ray) -> Option<(f32, f32)> {
-        let middle = self.at(0.5, 0.5);
-        let t = (middle - ray.origin).dot(self.forward) / ray.direction.dot(self.forward);
+        let t = (self.middle - ray.origin).dot(self.forward) / ray.direction.dot(self.forward);
         let (u, v) = self.camera.project(ray.at(t)).filter(|_| t > 0.0)?;
         let inside = (0.0..1.0).contains(&u) && (0.0..1.0).contains(&v);
         inside.then_some((u, v))
@@ -120,10 +120,13 @@ impl Outside<'_> {
         let (camera, onlooker) = (self.view.camera(aspect), self.onlooker.camera(aspect));
         let sight = Sight { step: self.step, camera: &*onlooker, area: self.area };
         let perspective = self.view.projection == Projection::Perspective;
+        let depth = if perspective { 0.4 * self.view.distance } else { 0.0 };
+        let ahead = camera.generate_ray(0.5, 0.5);
         let window = Window {
             camera: &*camera,
-            depth: if perspective { 0.4 * self.view.distance } else { 0.0 },
-            forward: camera.generate_ray(0.5, 0.5).direction,
+            depth,
+            forward: ahead.direction,
+            middle: ahead.at(depth),
             columns: COLUMNS,
             rows: ((COLUMNS as f32 / aspect).round() as u32).clamp(1, 4 * COLUMNS),
         };

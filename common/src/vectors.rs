@@ -22,7 +22,7 @@ pub fn symbol_ink(symbol: &str) -> Option<Ink> {
         "v" => Ink::new(100, 190, 245),
         "h" | "v_r" => Ink::new(225, 85, 200),
         "shadow ray's d" => Ink::new(230, 159, 0),
-        "d" | "p" | "(u, v)" => Ink::new(225, 65, 25),
+        "d" | "p" | "(u, v)" => Ink::new(240, 90, 40),
         "point" | "t" | "t₁" | "t₂" | "t_max" => Ink::WHITE,
         "α" => Ink::new(230, 85, 45),
         "β" => Ink::new(0, 175, 120),
