@@ -149,8 +149,8 @@ proptest! {
         let mut drawn = RgbImage::new(480, 270);
         draw_vectors(&mut Canvas::new(&mut drawn), sight, Some(&explanation), &[], 0.0);
         // The last, because others may be under it; the points are smaller than an arrow.
-        let from_hit = marks(&explanation, 1.0).into_iter().rev();
-        let arrow = from_hit.filter(|mark| matches!(mark.shape, MarkShape::Arrow(..))).next();
+        let mut marks = marks(&explanation, 1.0).into_iter().rev();
+        let arrow = marks.find(|mark| matches!(mark.shape, MarkShape::Arrow(..)));
         let Some(Mark { symbol, shape: MarkShape::Arrow(from, direction) }) = arrow else {
             return Ok(());
         };
@@ -252,7 +252,7 @@ fn a_point_behind_the_camera_is_not_dragged() {
 
 #[test]
 fn a_normal_is_drawn_once() {
-    for index in 1..7 {
+    for (index, name) in STEPS.into_iter().enumerate().skip(1) {
         let step = step(index);
         let camera = step.view().camera(ASPECT);
         let explanation = step.explain(&*camera, pixel(0.5, 0.6, SIZE));
@@ -262,7 +262,7 @@ fn a_normal_is_drawn_once() {
             1 | 3 => [0, 1],
             _ => [1, 0],
         };
-        assert_eq!(count, wanted, "{}", STEPS[index]);
+        assert_eq!(count, wanted, "{name}");
     }
 }
 
@@ -436,11 +436,9 @@ fn lights_and_objects_may_be_anywhere_or_nowhere() {
     let mut empty = Lesson::default();
     empty.scene.objects.clear();
     survives(&empty, &[]);
-    let mut triangle = step03_triangle::Lesson::default();
-    triangle.vertices = [Vec3::ONE; 3];
-    survives(&triangle, &[]);
-    triangle.vertices = [Vec3::ZERO, Vec3::X, Vec3::X];
-    survives(&triangle, &[]);
+    for vertices in [[Vec3::ONE; 3], [Vec3::ZERO, Vec3::X, Vec3::X]] {
+        survives(&step03_triangle::Lesson { vertices, shown: Vec3::ONE }, &[]);
+    }
 }
 
 #[test]

@@ -96,7 +96,7 @@ impl Outside<'_> {
         // The parallel camera's window is as large as what it looks at.
         let (raised, away) = match view.projection {
             Projection::Perspective => (0.1, 1.55),
-            Projection::Parallel => (0.0, 2.2),
+            Projection::Parallel => (0.0, 2.5),
         };
         let middle = eye.lerp(target, 0.5) + raised * far * Vec3::Y;
         let mut onlooker = View::new(middle + far * Vec3::Z, middle, 42.0);
@@ -176,14 +176,17 @@ impl Outside<'_> {
                 .collect();
             let (cols, rows_seen) = self.pixels_of(pen, window);
             for row in rows_seen {
-                for col in cols.clone() {
-                    let at = (col as f32 + 0.5, row as f32 + 0.5);
+                // Two at once: the edges between them are under the lines.
+                for col in cols.clone().step_by(2) {
+                    let at = (col as f32 + 1.0, row as f32 + 0.5);
                     let Some((u, v)) = window.crossed(&pen.sight.ray(at)) else { continue };
                     let cell_col = ((u * columns as f32) as u32).min(columns - 1);
                     let cell_row = (((1.0 - v) * rows as f32) as u32).min(rows - 1);
                     let [red, green, blue] = picture.get_pixel(cell_col, cell_row).0;
                     let cover = covers[(cell_row * columns + cell_col) as usize];
-                    pen.canvas().pixel(col, row, Ink::new(red, green, blue).with_alpha(cover));
+                    let ink = Ink::new(red, green, blue).with_alpha(cover);
+                    pen.canvas().pixel(col, row, ink);
+                    pen.canvas().pixel(col + 1, row, ink);
                 }
             }
         }
