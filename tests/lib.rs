@@ -16,14 +16,15 @@ use std::path::Path;
 use std::path::PathBuf;
 use std::process::Command;
 use std::process::Output;
+use std::rc::Rc;
 use std::sync::LazyLock;
 
 use common::Camera;
 use common::Color;
 use common::Comparison;
-use common::Control;
 use common::Frame;
 use common::Image;
+use common::Setup;
 use common::Size;
 use common::Step;
 use common::View;
@@ -84,9 +85,14 @@ pub fn colors(step: &dyn Step, camera: &dyn Camera, width: usize, height: usize)
     colors
 }
 
-/// All controls in the order of the window and of `--help`: the step's, then the camera's.
-pub fn controls<'a>(step: &'a mut dyn Step, view: &'a mut View) -> Vec<Control<'a>> {
-    step.controls().into_iter().chain(view.controls()).collect()
+/// A step as it starts, to be set up, by its index in [`STEPS`].
+pub fn setup(index: usize) -> Setup {
+    Setup::new(Rc::new(move || step(index)))
+}
+
+/// What `setup` shows.
+pub fn picture_of(setup: &Setup, width: usize, height: usize) -> RgbImage {
+    picture(setup.step(), setup.view(), width, height)
 }
 
 /// The folder that holds all crates.
