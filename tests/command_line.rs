@@ -358,6 +358,39 @@ fn standard_output_that_is_full_is_a_failure() {
     }
 }
 
+/// The lines that a step shows on a terminal, also those that are written over.
+#[cfg(target_os = "linux")]
+fn on_a_terminal(arguments: &str) -> Vec<String> {
+    let folder = tempdir().expect("a folder");
+    let program = command(STEPS[1], folder.path());
+    let line = format!("{} {arguments} -o a.png", program.get_program().display());
+    let mut script = Command::new("script");
+    script.current_dir(folder.path()).args(["--quiet", "--return", "--command", &line, "said"]);
+    // No machine is then too fast.
+    script.env("RAYON_NUM_THREADS", "1").stdin(Stdio::null());
+    let output = script.output().expect("script runs");
+    assert!(output.status.success(), "{output:?}");
+    let said = String::from_utf8(output.stdout).expect("text");
+    said.split(['\r', '\n']).filter(|line| !line.is_empty()).map(str::to_owned).collect()
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_long_render_says_on_a_terminal_how_far_it_is() {
+    let lines = on_a_terminal("--samples 12");
+    let [shown @ .., wiped, done] = &*lines else { panic!("{lines:?}") };
+    let percent = |line: &String| {
+        let (percent, to_go) = line.split_once(" %, ").expect(line);
+        to_go.trim_end().strip_suffix(" s to go").expect(line).parse::<usize>().expect(line);
+        percent.parse::<usize>().expect(line)
+    };
+    let percents: Vec<usize> = shown.iter().map(percent).collect();
+    assert!(percents.is_sorted() && percents.len() > 10, "{lines:?}");
+    assert_eq!(percents.last(), Some(&100));
+    assert!(wiped.trim().is_empty() && done.contains("rendered in"), "{lines:?}");
+    assert_eq!(on_a_terminal("--size 9x9").len(), 1);
+}
+
 /// A refused size is refused before there is memory for it.
 #[cfg(target_os = "linux")]
 #[test]

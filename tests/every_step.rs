@@ -183,17 +183,17 @@ pub trait Shadows: Lights {
 
 macro_rules! packages {
     ($($step:ident)*) => { $(
-        impl Package for $step::Lesson {
+        impl $crate::every_step::Package for $step::Lesson {
             const NAME: &'static str = stringify!($step);
 
-            fn pixel_center(pixel: Pixel) -> (f32, f32) {
+            fn pixel_center(pixel: ::common::Pixel) -> (f32, f32) {
                 $step::render::pixel_center(pixel)
             }
 
             fn render_loop(
-                camera: &dyn Camera,
-                image: &mut Image<'_>,
-                trace: &dyn Fn(&Ray) -> Color,
+                camera: &dyn ::common::Camera,
+                image: &mut ::common::Image<'_>,
+                trace: &dyn Fn(&::common::Ray) -> ::common::Color,
             ) {
                 $step::render::render(camera, image, trace);
             }
@@ -201,10 +201,7 @@ macro_rules! packages {
     )* };
 }
 
-packages! {
-    step01_rays step02_sphere step03_triangle step04_scene step05_diffuse step06_shadows
-    step07_specular
-}
+pub(crate) use packages;
 
 /// A step's record as a [`Hit`].
 macro_rules! hit {
@@ -411,10 +408,11 @@ macro_rules! checks {
             $( $crate::checks!(@@ $step $checks); )*
         }
     };
-    (@@ $step:ident { $($check:ident),* $(,)? }) => {
+    (@@ $step:ident { $($(#[$attribute:meta])* $check:ident),* $(,)? }) => {
         mod $step {
             $(
                 #[test]
+                $(#[$attribute])*
                 fn $check() {
                     super::super::$check::<::$step::Lesson>();
                 }

@@ -21,6 +21,7 @@ use tests::X11;
 use tests::command;
 use tests::controls;
 use tests::empty_folder;
+use tests::files;
 use tests::hold_picture;
 use tests::root;
 use tests::step;
@@ -468,6 +469,25 @@ fn every_line_to_be_changed_is_in_the_code() {
         }
     }
     none(wrong);
+}
+
+/// What is a step is said once, in `lib.rs` of these tests; folders and the README follow.
+#[test]
+fn steps_are_the_same_everywhere() {
+    let mut folders: Vec<_> =
+        files(root()).into_iter().filter_map(|name| name.into_string().ok()).collect();
+    folders.retain(|name| name.starts_with("step") && root().join(name).is_dir());
+    assert_eq!(folders, STEPS, "the folders, and the list of steps in tests/lib.rs");
+    for readme in ["README.md", "README.pt-BR.md"] {
+        let readme = Readme::read(Path::new(readme));
+        let links = readme.parts.iter().filter_map(|part| match part {
+            Part::Link(link) => link.split_once("/README").map(|(step, _)| step),
+            _ => None,
+        });
+        let mut linked: Vec<_> = links.filter(|step| step.starts_with("step")).collect();
+        linked.dedup();
+        assert_eq!(linked, STEPS, "the handouts in {}", readme.name());
+    }
 }
 
 #[test]

@@ -3,6 +3,8 @@
 //! Some tests hold to snapshots: files of this folder that the steps themselves made. After a
 //! change that was meant, `UPDATE_SNAPSHOTS=1 cargo test` makes all of them anew; look at what
 //! changed in them before you commit it.
+//!
+//! Tests that need a program besides Rust are ignored, and name it: `cargo test -- --ignored`.
 
 pub mod chance;
 pub mod every_step;
@@ -34,37 +36,33 @@ use image::codecs::png::CompressionType;
 use image::codecs::png::FilterType;
 use image::codecs::png::PngEncoder;
 
-/// The packages of the steps, in order.
-pub const STEPS: [&str; 7] = [
-    "step01_rays",
-    "step02_sphere",
-    "step03_triangle",
-    "step04_scene",
-    "step05_diffuse",
-    "step06_shadows",
-    "step07_specular",
-];
-
 /// Whether a window needs a display that can be taken away from a program, which then writes its
 /// picture to a file. Elsewhere it would open a window and wait for its user.
 pub const X11: bool = cfg!(all(unix, not(target_os = "macos")));
 
-/// A step as it starts, by its index in [`STEPS`].
-///
-/// # Panics
-///
-/// When there is no such step.
-pub fn step(index: usize) -> Box<dyn Step> {
-    match index {
-        0 => Box::new(step01_rays::Lesson::default()),
-        1 => Box::new(step02_sphere::Lesson::default()),
-        2 => Box::new(step03_triangle::Lesson::default()),
-        3 => Box::new(step04_scene::Lesson::default()),
-        4 => Box::new(step05_diffuse::Lesson::default()),
-        5 => Box::new(step06_shadows::Lesson::default()),
-        6 => Box::new(step07_specular::Lesson::default()),
-        _ => panic!("there is no step {}", index + 1),
-    }
+macro_rules! steps {
+    ($($step:ident)*) => {
+        /// The packages of the steps, in order.
+        pub const STEPS: [&str; [$(stringify!($step)),*].len()] = [$(stringify!($step)),*];
+
+        /// A step as it starts, by its index in [`STEPS`].
+        ///
+        /// # Panics
+        ///
+        /// When there is no such step.
+        pub fn step(index: usize) -> Box<dyn Step> {
+            let new: [fn() -> Box<dyn Step>; STEPS.len()] =
+                [$(|| Box::new($step::Lesson::default())),*];
+            new[index]()
+        }
+
+        every_step::packages!($($step)*);
+    };
+}
+
+steps! {
+    step01_rays step02_sphere step03_triangle step04_scene step05_diffuse step06_shadows
+    step07_specular
 }
 
 /// What `step` shows from `view`, with one ray a pixel.

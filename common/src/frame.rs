@@ -4,6 +4,7 @@ use std::str::FromStr;
 use image::RgbImage;
 
 use crate::Camera;
+use crate::Canvas;
 use crate::Color;
 use crate::Image;
 use crate::Step;
@@ -144,7 +145,8 @@ pub fn check_loop(step: &dyn Step) -> Result<(), String> {
 }
 
 impl Frame<'_> {
-    /// Renders rows into `rgb`, three bytes a pixel, from `first_row` on, as many as fit.
+    /// Renders rows into `rgb`, three bytes a pixel, from `first_row` on, as many as fit. When all
+    /// are there, [`Step::draw_over`] comes next.
     ///
     /// With N samples the step renders a picture N times as wide and high, and each pixel is the
     /// mean of N × N of its pixels, taken before encoding.
@@ -155,7 +157,8 @@ impl Frame<'_> {
     pub fn render_rows(&self, first_row: usize, rgb: &mut [u8]) {
         let (n, width, height) = (self.samples, self.size.width, self.size.height);
         let mut colors = vec![Color::ZERO; n * width];
-        let mut sums = vec![Color::ZERO; width];
+        // With one sample the colours are the sums.
+        let mut sums = vec![Color::ZERO; if n > 1 { width } else { 0 }];
         for (row, pixels) in (first_row..).zip(rgb.chunks_exact_mut(3 * width)) {
             sums.fill(Color::ZERO);
             for row in n * row..n * (row + 1) {
@@ -165,7 +168,8 @@ impl Frame<'_> {
                     *sum += colors.iter().sum::<Color>();
                 }
             }
-            for (pixel, sum) in pixels.chunks_exact_mut(3).zip(&sums) {
+            let sums = if n > 1 { &sums } else { &colors };
+            for (pixel, sum) in pixels.chunks_exact_mut(3).zip(sums) {
                 pixel.copy_from_slice(&encode(sum / (n * n) as f32));
             }
         }
@@ -175,6 +179,7 @@ impl Frame<'_> {
     pub fn render(&self) -> RgbImage {
         let mut picture = RgbImage::new(self.size.width as u32, self.size.height as u32);
         self.render_rows(0, &mut picture);
+        self.step.draw_over(self.camera, &mut Canvas::new(&mut picture));
         picture
     }
 
@@ -194,6 +199,7 @@ impl Frame<'_> {
             self.render_rows(band * rows, rgb);
             done(rgb.len() / (3 * self.size.width));
         });
+        self.step.draw_over(self.camera, &mut Canvas::new(&mut picture));
         picture
     }
 }

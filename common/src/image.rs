@@ -23,7 +23,7 @@ pub struct Pixel {
 pub struct Image<'a> {
     width: usize,
     height: usize,
-    first_row: usize,
+    rows: Range<usize>,
     pixels: &'a mut [Color],
     stray: Option<(usize, usize)>,
 }
@@ -36,8 +36,9 @@ impl<'a> Image<'a> {
     ///
     /// When `pixels` is not a whole number of rows, or reaches below the picture's last row.
     pub fn new(width: usize, height: usize, first_row: usize, pixels: &'a mut [Color]) -> Self {
-        assert!(pixels.len().is_multiple_of(width) && first_row + pixels.len() / width <= height);
-        Self { width, height, first_row, pixels, stray: None }
+        let rows = first_row..first_row + pixels.len() / width;
+        assert!(pixels.len().is_multiple_of(width) && rows.end <= height);
+        Self { width, height, rows, pixels, stray: None }
     }
 
     /// The width of the whole picture, in pixels.
@@ -62,7 +63,7 @@ impl<'a> Image<'a> {
     /// gives the same picture, but leaves all of it to one core.
     #[inline]
     pub fn rows(&self) -> Range<usize> {
-        self.first_row..self.first_row + self.pixels.len() / self.width
+        self.rows.clone()
     }
 
     /// Puts `color` into pixel (col, row).
@@ -71,11 +72,10 @@ impl<'a> Image<'a> {
     /// and is the [`stray`](Self::stray).
     #[inline]
     pub fn set(&mut self, col: usize, row: usize, color: Color) {
-        match row.checked_sub(self.first_row) {
-            Some(row) if col < self.width && row < self.pixels.len() / self.width => {
-                self.pixels[row * self.width + col] = color;
-            }
-            _ => self.stray = Some((col, row)),
+        if col < self.width && self.rows.contains(&row) {
+            self.pixels[(row - self.rows.start) * self.width + col] = color;
+        } else {
+            self.stray = Some((col, row));
         }
     }
 

@@ -47,6 +47,8 @@ pub struct Setting {
     pub name: String,
     /// The stretch of the lecture that it belongs to; the step's own is the last but the camera's.
     pub group: &'static str,
+    /// Where several objects have this control, what these are: the name of the choice between them.
+    pub of: Option<&'static str>,
     /// For one of the three numbers of a point: the point's name, and 0, 1 or 2.
     pub axis: Option<(&'static str, usize)>,
     /// The value as it is shown: `0.85`, `parallel`, `off`.
@@ -398,6 +400,7 @@ impl Setting {
         Self {
             name: control.name.clone(),
             group: control.group,
+            of: control.of.map(|of| of.0),
             axis: control.axis,
             text: control.text(),
             fraction: control.fraction(),
@@ -412,6 +415,7 @@ impl Setting {
         Self {
             name: kind.to_owned(),
             group,
+            of: None,
             axis: None,
             text: words[place].to_owned(),
             fraction: place as f32 / (names.len() - 1).max(1) as f32,

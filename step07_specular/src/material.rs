@@ -47,12 +47,15 @@ impl Material {
         let irradiance = say.line("I/r²", if light.attenuation { i / r_squared } else { i });
         let k_d = say.line("k_d", self.k_d);
         let l_d = say.line("L_d = k_d (I/r²) max(0, n·l)", k_d * irradiance * n_dot_l.max(0.0));
-        let v = say.arrow("v", point, -ray.direction.normalize());
-        let model = if self.phong { phong } else { blinn_phong };
-        let cos_alpha = model(n, l, v, point, say);
         let (k_s, p) = say.line("k_s, p", (self.k_s, self.exponent));
         // More than the slide says: a light behind the surface has no highlight either.
-        let highlight = if k_s > 0.0 && n_dot_l > 0.0 { cos_alpha.max(0.0).powf(p) } else { 0.0 };
+        let shines = k_s > 0.0 && n_dot_l > 0.0;
+        if !shines {
+            return (l_d, Color::ZERO);
+        }
+        let v = say.arrow("v", point, -ray.direction.normalize());
+        let model = if self.phong { phong } else { blinn_phong };
+        let highlight = model(n, l, v, point, say).max(0.0).powf(p);
         let highlight = say.line("max(0, cos α)^p", highlight);
         let l_s = say.line("L_s = k_s (I/r²) max(0, cos α)^p", k_s * irradiance * highlight);
         (l_d, Color::splat(l_s))

@@ -22,29 +22,26 @@ use strsim::damerau_levenshtein;
 use super::file;
 use super::progress::Progress;
 use super::window;
+use crate::Canvas;
 use crate::Comparison;
 use crate::Frame;
-use crate::Make;
+use crate::KEYS;
+use crate::Outside;
 use crate::Pixel;
+use crate::Program;
+use crate::Session;
 use crate::Setting;
 use crate::SettingError;
 use crate::Setup;
+use crate::Sight;
 use crate::Size;
 use crate::View;
 use crate::check_loop;
+use crate::draw_vectors;
 use crate::side_by_side;
 
 /// The most rays a pixel are this many squared.
 const MAX_SAMPLES: usize = 16;
-
-/// A step as a program.
-pub(crate) struct Program {
-    pub(crate) name: &'static str,
-    pub(crate) concept: &'static str,
-    /// How large the picture is unless told otherwise.
-    pub(crate) size: Size,
-    pub(crate) make: Make,
-}
 
 /// What is to be made, and how.
 pub(crate) struct Job<'a> {
@@ -52,6 +49,10 @@ pub(crate) struct Job<'a> {
     pub(crate) setup: Setup,
     pub(crate) size: Size,
     pub(crate) samples: usize,
+    /// The pixel whose rays and vectors are drawn over a written picture.
+    pub(crate) pixel: Option<Pixel>,
+    /// From where the camera is seen, if it is.
+    pub(crate) onlooker: Option<View>,
 }
 
 pub(crate) fn run(program: &Program) -> ExitCode {
@@ -71,6 +72,12 @@ pub(crate) fn run(program: &Program) -> ExitCode {
     }
     let size = matches.get_one("size").copied().unwrap_or(program.size);
     let samples = matches.get_one("samples").copied().unwrap_or(1);
+    let onlooker = match onlooker(&matches, &setup) {
+        Ok(onlooker) => onlooker,
+        Err(message) => return usage(&message),
+    };
+    let output = matches.get_one::<PathBuf>("output");
+    let mut pixel = None;
     if let Some((col, row)) = matches.get_one::<(usize, usize)>("pixel").copied() {
         let (width, height) = (size.width(), size.height());
         if col >= width || row >= height {
@@ -80,11 +87,15 @@ pub(crate) fn run(program: &Program) -> ExitCode {
             ));
         }
         let camera = setup.view().camera(size.aspect());
-        let explanation = setup.step().explain(&*camera, Pixel { col, row, width, height });
-        return status(print(&explanation.to_string()).map(|()| true));
+        let pinned = Pixel { col, row, width, height };
+        let explanation = setup.step().explain(&*camera, pinned);
+        let printed = print(&explanation.to_string());
+        if output.is_none() || printed.is_err() {
+            return status(printed.map(|()| true));
+        }
+        pixel = Some(pinned);
     }
-    let job = Job { program, setup, size, samples };
-    let output = matches.get_one::<PathBuf>("output");
+    let mut job = Job { program, setup, size, samples, pixel, onlooker };
     if let Some(expected) = matches.get_one::<PathBuf>("compare") {
         if output.is_some_and(|output| file::is_same(output, expected)) {
             return usage("--output names the file to compare, which would be overwritten");
@@ -93,11 +104,14 @@ pub(crate) fn run(program: &Program) -> ExitCode {
     }
     let written = match output {
         Some(path) => job.write(path),
-        None => match window::Window::open(program, size) {
-            Ok(window) => window.run(job),
+        None => match window::Window::open(&program.title(), size) {
+            Ok(window) => {
+                let session = Session::new(vec![program.clone()], 0, job.setup, size, samples);
+                return status(window.run(session, samples).map(|()| true));
+            }
             Err(error) => {
                 let path = PathBuf::from(format!("{}.png", program.name));
-                report(program, &format!("no window ({error}), so the picture goes to a file"));
+                report(program.name, &format!("no window ({error}), so the picture goes to a file"));
                 job.write(&path)
             }
         },
@@ -135,7 +149,14 @@ fn command(program: &Program) -> Command {
         .arg(option("camera", "KIND").value_parser(View::PROJECTIONS.map(|(name, _)| name)))
         .arg(option("set", "NAME=VALUE").action(ArgAction::Append))
         .arg(option("samples", "N").value_parser(samples))
-        .arg(option("pixel", "X,Y").value_parser(pixel).conflicts_with_all(["output", "samples"]))
+        .arg(option("pixel", "X,Y").value_parser(pixel).conflicts_with("samples"))
+        .arg(
+            Arg::new("outside")
+                .long("outside")
+                .action(ArgAction::SetTrue)
+                .requires("output")
+                .conflicts_with("compare"),
+        )
         .arg(file("compare").value_parser(PathBufValueParser::new()).conflicts_with("pixel"))
 }
 
@@ -152,6 +173,28 @@ fn first_line(error: &clap::Error) -> String {
     message.join("; ")
 }
 
+/// What the names of the onlooker's controls begin with.
+const OUTSIDE: &str = "outside.";
+
+/// From where `--outside` sees the camera, with each `--set` of it.
+fn onlooker(matches: &ArgMatches, setup: &Setup) -> Result<Option<View>, String> {
+    let mut onlooker = Outside::onlooker(setup.view());
+    for setting in matches.get_many::<String>("set").unwrap_or_default() {
+        let setting = setting.strip_prefix(OUTSIDE).and_then(|setting| setting.split_once('='));
+        let Some((name, value)) = setting else { continue };
+        let mut controls = onlooker.controls();
+        match controls.named(name) {
+            Some(control) => control.set(value).map_err(|refused| refused.to_string())?,
+            None => {
+                let names: Vec<String> =
+                    controls.iter().map(|control| format!("{OUTSIDE}{}", control.name)).collect();
+                return Err(unknown(&format!("{OUTSIDE}{name}"), &names));
+            }
+        }
+    }
+    Ok(matches.get_flag("outside").then_some(onlooker))
+}
+
 /// Applies `--camera`, then each `--set` in the order given, as if sliders were moved.
 fn set(matches: &ArgMatches, setup: &mut Setup) -> Result<(), String> {
     let camera = matches.get_one::<String>("camera").map(|kind| format!("camera={kind}"));
@@ -160,6 +203,9 @@ fn set(matches: &ArgMatches, setup: &mut Setup) -> Result<(), String> {
         let (name, value) = setting
             .split_once('=')
             .ok_or_else(|| format!("--set takes NAME=VALUE, and '{setting}' has no '='"))?;
+        if name.starts_with(OUTSIDE) {
+            continue;
+        }
         setup.set(name, value).map_err(|error| match error {
             SettingError::Unknown { name, known } => unknown(&name, &known),
             SettingError::Refused(refused) => refused.to_string(),
@@ -195,7 +241,10 @@ Options:
       --camera KIND       {}
       --set NAME=VALUE    set a control, as its slider would; repeatable, applied in order
       --samples N         N×N rays a pixel (1; at most {MAX_SAMPLES})
-      --pixel X,Y         print that pixel's equations with their numbers; no picture
+      --pixel X,Y         print that pixel's equations with their numbers; with -o, write the
+                          picture with its rays and vectors
+      --outside           with -o, write the camera as it is seen from outside; --set also takes
+                          outside.azimuth, outside.elevation and outside.distance
       --compare FILE      render, say how far FILE is from it and where; exit 1 if they differ;
                           with -o, write expected, found and difference side by side
   -h, --help              this text
@@ -209,21 +258,21 @@ Controls (default):
         let _ = writeln!(text, "  {name:<14} {takes} ({value})");
     }
     text.push_str("\nIn the window:\n");
-    for (keys, effect) in window::KEYS {
-        let _ = writeln!(text, "  {keys:<14} {effect}");
+    for (keys, effect) in KEYS {
+        let _ = writeln!(text, "  {keys:<16} {effect}");
     }
     text
 }
 
 impl Job<'_> {
     /// Writes the picture to the file `path`.
-    fn write(&self, path: &Path) -> Result<()> {
-        let Self { program, size, .. } = self;
-        file::remove_unfinished_on_signal()?;
+    fn write(&mut self, path: &Path) -> Result<()> {
+        let Self { program, size, .. } = *self;
         file::check_destination(path)?;
-        let (picture, time) = self.render();
+        let (mut picture, time) = self.render();
+        self.draw(&mut picture);
         file::save_png(&picture, path)?;
-        report(program, &format!("{size} rendered in {time} ms, written to {}", path.display()));
+        report(program.name, &format!("{size} rendered in {time} ms, written to {}", path.display()));
         Ok(())
     }
 
@@ -231,7 +280,6 @@ impl Job<'_> {
     /// difference to `output`; whether they are equal.
     fn compare(&self, file: &Path, output: Option<&PathBuf>) -> Result<bool> {
         let Self { program, size, .. } = self;
-        file::remove_unfinished_on_signal()?;
         let found = file::read_png(file)?;
         if let Some(path) = output {
             file::check_destination(path)?;
@@ -249,14 +297,38 @@ impl Job<'_> {
             file::save_png(&side_by_side(&expected, &found), path)?;
             let _ = write!(done, "; both and their difference written to {}", path.display());
         }
-        report(program, &done);
+        report(program.name, &done);
         Ok(comparison.is_equal())
+    }
+
+    /// Draws over the picture the pinned pixel's rays and vectors, and the camera where it is seen
+    /// from outside.
+    fn draw(&mut self, picture: &mut RgbImage) {
+        if self.pixel.is_none() && self.onlooker.is_none() {
+            return;
+        }
+        let mut handles = self.setup.points();
+        handles.retain(|handle| handle.name != "center");
+        let (view, step) = (self.setup.view(), self.setup.step());
+        let camera = view.camera(self.size.aspect());
+        let explanation = self.pixel.map(|pixel| step.explain(&*camera, pixel));
+        let mut canvas = Canvas::new(picture);
+        let area = canvas.area();
+        let text_size = (area.height / 30.0).clamp(11.0, 40.0);
+        if let Some(onlooker) = &self.onlooker {
+            let outside = Outside { step, view, onlooker, area };
+            outside.draw(&mut canvas, explanation.as_ref(), &handles, text_size);
+        } else {
+            let sight = Sight { step, camera: &*camera, area };
+            draw_vectors(&mut canvas, sight, explanation.as_ref(), &handles, text_size);
+        }
     }
 
     /// The picture, and how many milliseconds its pixels took.
     fn render(&self) -> (RgbImage, String) {
         let Self { size, samples, .. } = *self;
-        let camera = self.setup.view().camera(size.aspect());
+        let view = self.onlooker.as_ref().unwrap_or(self.setup.view());
+        let camera = view.camera(size.aspect());
         let frame = Frame { step: self.setup.step(), camera: &*camera, size, samples };
         let progress = Progress::new(size.height());
         let picture = frame.render_parallel(|rows| progress.add(rows));
@@ -275,8 +347,8 @@ pub(crate) fn print(text: &str) -> Result<()> {
 }
 
 /// Says on standard error what was done.
-pub(crate) fn report(program: &Program, text: &str) {
-    tell(&format!("{}: {text}", program.name));
+pub(crate) fn report(name: &str, text: &str) {
+    tell(&format!("{name}: {text}"));
 }
 
 fn usage(message: &str) -> ExitCode {
