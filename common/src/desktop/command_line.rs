@@ -111,7 +111,10 @@ pub(crate) fn run(program: &Program) -> ExitCode {
             }
             Err(error) => {
                 let path = PathBuf::from(format!("{}.png", program.name));
-                report(program.name, &format!("no window ({error}), so the picture goes to a file"));
+                report(
+                    program.name,
+                    &format!("no window ({error}), so the picture goes to a file"),
+                );
                 job.write(&path)
             }
         },
@@ -272,7 +275,10 @@ impl Job<'_> {
         let (mut picture, time) = self.render();
         self.draw(&mut picture);
         file::save_png(&picture, path)?;
-        report(program.name, &format!("{size} rendered in {time} ms, written to {}", path.display()));
+        report(
+            program.name,
+            &format!("{size} rendered in {time} ms, written to {}", path.display()),
+        );
         Ok(())
     }
 

@@ -224,7 +224,8 @@ impl Session {
             let its: Vec<&Setting> =
                 settings.iter().filter(|setting| setting.group == group).collect();
             for setting in &its {
-                let choice = settings.iter().find(|choice| setting.of == Some(choice.name.as_str()));
+                let choice =
+                    settings.iter().find(|choice| setting.of == Some(choice.name.as_str()));
                 for setting in choice.into_iter().chain([*setting]) {
                     let row = Row::Control(setting.clone());
                     if !rows.iter().any(|other| other.target() == row.target()) {
