@@ -126,9 +126,11 @@ fn arrows_select_and_change() {
     // It opens to the right and folds to the left, and changes nothing.
     assert!(!key(&mut session, Key::Right).contains(&Effect::Redraw));
     key(&mut session, Key::Down);
-    assert_eq!(session.selected(), Some("radius"));
+    assert_eq!(session.selected(), Some("camera"));
     key(&mut session, Key::Up);
-    assert_eq!(session.selected(), Some("fov"));
+    key(&mut session, Key::Left);
+    key(&mut session, Key::Down);
+    assert_eq!(session.selected(), Some("radius"));
 }
 
 #[test]
