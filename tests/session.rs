@@ -262,7 +262,7 @@ fn the_whole_picture_has_its_shape_in_every_window() {
 
 #[test]
 fn nothing_lies_over_the_picture() {
-    for index in 0..STEPS.len() {
+    for (index, name) in STEPS.iter().enumerate() {
         let mut session = session(index);
         for window in [size(640, 360), size(960, 540), size(400, 700)] {
             let image = painted(&mut session, window);
@@ -271,7 +271,7 @@ fn nothing_lies_over_the_picture() {
             let found =
                 imageops::crop_imm(&image, area.left as u32, area.top as u32, width, height);
             let same = found.to_image() == rendered(&session)[0];
-            assert!(same, "{} {window}", STEPS[index]);
+            assert!(same, "{name} {window}");
         }
     }
 }

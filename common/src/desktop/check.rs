@@ -109,8 +109,13 @@ impl Case {
             let case = Self { size: Size::new(width, height)?, backwards, settings };
             cases.extend(case.scene(make).is_ok().then_some(case));
         }
-        let views: Vec<String> =
-            Setup::new(make.clone()).view().clone().controls().iter().map(|c| c.name.clone()).collect();
+        let views: Vec<String> = Setup::new(make.clone())
+            .view()
+            .clone()
+            .controls()
+            .iter()
+            .map(|c| c.name.clone())
+            .collect();
         let mut setup = Setup::new(make.clone());
         for setting in setup.list() {
             if views.contains(&setting.name) {
@@ -239,9 +244,8 @@ fn ask(name: &str, cases: &[Case]) -> Result<Vec<Result<RgbImage, String>>> {
     let mut pictures = Vec::new();
     for case in cases {
         let picture = read(&mut output, case.size);
-        let stopped = || {
-            anyhow!("{name} stops at {}: what it says of that stands above", case.options())
-        };
+        let stopped =
+            || anyhow!("{name} stops at {}: what it says of that stands above", case.options());
         pictures.push(picture.map_err(|_| stopped())?);
     }
     run.wait()?;

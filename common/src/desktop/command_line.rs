@@ -27,8 +27,8 @@ use crate::Canvas;
 use crate::Comparison;
 use crate::Frame;
 use crate::KEYS;
-use crate::Outside;
 use crate::Mistake;
+use crate::Outside;
 use crate::Pair;
 use crate::Pixel;
 use crate::Program;
@@ -173,9 +173,10 @@ fn command(program: &Program) -> Command {
                 .conflicts_with("compare"),
         )
         .arg(file("compare").value_parser(PathBufValueParser::new()).conflicts_with("pixel"))
-        .arg(option("check", "STEP").conflicts_with_all([
-            "size", "camera", "set", "samples", "pixel", "compare",
-        ]))
+        .arg(
+            option("check", "STEP")
+                .conflicts_with_all(["size", "camera", "set", "samples", "pixel", "compare"]),
+        )
         // For --check of another step: it asks for pictures on standard input.
         .arg(Arg::new("cases").long("cases").action(ArgAction::SetTrue).hide(true))
 }
