@@ -370,6 +370,7 @@ fn stays_inside(
         let mut drawn = RgbImage::from_pixel(200, 120, EMPTY);
         let mut canvas = Canvas::new(&mut drawn);
         if outside {
+            let onlooker = &*onlooker.camera(area.width / area.height);
             Outside { step, view, onlooker, area }.draw(&mut canvas, explanation, handles, 12.0);
         } else {
             let sight = Sight { step, camera: &*camera, area };
@@ -486,7 +487,7 @@ fn drawn(setup: &mut Setup, pinned: (f32, f32), outside: bool) -> RgbImage {
     let mut picture = picture(step, seen_from, SIZE.0, SIZE.1);
     let mut canvas = Canvas::new(&mut picture);
     if outside {
-        let outside = Outside { step, view, onlooker: &onlooker, area: AREA };
+        let outside = Outside { step, view, onlooker: &*onlooker.camera(ASPECT), area: AREA };
         outside.draw(&mut canvas, Some(&explanation), &handles, 11.0);
     } else {
         let sight = Sight { step, camera: &*camera, area: AREA };
