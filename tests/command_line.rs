@@ -102,7 +102,6 @@ const WRONG: &[(&[&str], &[&str])] = &[
     (&["--pixel", "5x5"], &["'5x5'", "X,Y", "480,270"]),
     (&["--pixel", ""], &["''", "X,Y", "480,270"]),
     (&["--pixel"], &["--pixel <X,Y>", "value is required"]),
-    (&["--pixel", "1,1", "-o", "a.png"], &["--pixel", "cannot be used with", "--output"]),
     (&["--pixel", "1,1", "--samples", "2"], &["--pixel", "cannot be used with", "--samples"]),
     (&["--compare", "a.png", "--pixel", "1,1"], &["--pixel", "cannot be used with", "--compare"]),
     (&["--pixel", "1,1", "--pixel", "2,2"], &["--pixel", "cannot be used multiple times"]),
