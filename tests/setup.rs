@@ -182,21 +182,21 @@ fn what_is_refused_changes_nothing_and_says_what_there_is() {
 
 #[test]
 fn a_choice_stands_before_the_controls_of_its_objects() {
-    for index in 0..STEPS.len() {
+    for (index, name) in STEPS.iter().enumerate() {
         let list = setup(index).list();
-        let place = |name: &str| list.iter().position(|setting| setting.name == name);
+        let place = |symbol: &str| list.iter().position(|setting| setting.name == symbol);
         for (kind, its, from) in [("sphere", "radius", 3), ("light", "I", 5)] {
             let choice = place(kind);
-            assert_eq!(choice.is_some(), index >= from, "{}: a choice of {kind}", STEPS[index]);
-            assert!(choice.is_none() || choice < place(its), "{}: {kind}", STEPS[index]);
+            assert_eq!(choice.is_some(), index >= from, "{}: a choice of {kind}", name);
+            assert!(choice.is_none() || choice < place(its), "{}: {kind}", name);
         }
         let mut groups: Vec<&str> = list.iter().map(|setting| setting.group).collect();
-        assert_eq!(groups.last(), Some(&"camera"), "{}: the camera's come last", STEPS[index]);
+        assert_eq!(groups.last(), Some(&"camera"), "{}: the camera's come last", name);
         groups.dedup();
         let all = groups.len();
         groups.sort_unstable();
         groups.dedup();
-        assert_eq!(groups.len(), all, "{}: a group is in one piece", STEPS[index]);
+        assert_eq!(groups.len(), all, "{}: a group is in one piece", name);
     }
 }
 

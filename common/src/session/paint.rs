@@ -120,7 +120,8 @@ impl Session {
         let (step, view) = (self.setup.step(), self.setup.view());
         let mut canvas = canvas.clipped(area);
         if let Some(onlooker) = &self.onlooker {
-            let outside = Outside { step, view, onlooker, area };
+            let onlooker = onlooker.camera(area.width / area.height);
+            let outside = Outside { step, view, onlooker: &*onlooker, area };
             return outside.draw(&mut canvas, explanation.as_ref(), &points, text_size);
         }
         if explanation.is_some() {
