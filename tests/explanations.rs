@@ -207,15 +207,17 @@ impl<S: Package> Sheet<'_, S> {
             "L = ½ + d/2" => all(0.5 + d / 2.0, 1.0),
             "L = ½ + p/6" => all(0.5 + p / 6.0, 1.0 + p.length()),
             "a = d·d" => one(d.dot(d), 1.0),
-            "t₀ = d·(center − p) / a" => {
-                let to = sphere().0 - p;
-                one(d.dot(to) / x("a"), to.length() + p.length())
+            "b₀ = d·(p − center)" => {
+                let o = p - sphere().0;
+                one(d.dot(o), o.length() + p.length())
             }
+            "t₀ = −b₀ / a" => one(-x("b₀") / x("a"), x("b₀") / x("a")),
             "o = p + t₀ d − center" => {
                 let center = sphere().0;
                 all(p + x("t₀") * d - center, p.length() + x("t₀").abs() + center.length())
             }
-            "b = d·o" => one(d.dot(v("o")), v("o").length()),
+            // Nearly nothing: at t₀ the ray is at right angles to o.
+            "b = d·o = b₀ + a t₀" => one(d.dot(v("o")), x("b₀").abs() + v("o").length()),
             "c = o·o − radius²" => {
                 let squares = [v("o").dot(v("o")), sphere().1.powi(2)];
                 one(squares[0] - squares[1], squares[0] + squares[1])
@@ -319,7 +321,8 @@ impl<S: Package> Sheet<'_, S> {
             }
             "max(0, cos α)^p" => {
                 let (k_s, p) = (v("k_s, p").x, v("k_s, p").y);
-                let cosine = if k_s > 0.0 && x("n·l") > 0.0 { x("cos α").max(0.0) } else { 0.0 };
+                assert!(k_s > 0.0 && x("n·l") > 0.0, "there is no highlight");
+                let cosine = x("cos α").max(0.0);
                 one(cosine.powf(p), (1.0 + p) * cosine.powf(p))
             }
             "L_s = k_s (I/r²) max(0, cos α)^p" => {
@@ -329,9 +332,12 @@ impl<S: Package> Sheet<'_, S> {
             "L_d" => all(v("L_d"), v("L_d").length()),
             "d L_d + s L_s" => {
                 let weights = v("weights a, d, s");
-                let sum = weights.y * v("L_d") + weights.z * v("L_s");
+                // No highlight is told of where there is none.
+                let shines = v("k_s, p").x > 0.0 && x("n·l") > 0.0;
+                let l_s = if shines { v("L_s") } else { DVec3::ZERO };
+                let sum = weights.y * v("L_d") + weights.z * l_s;
                 // The weights are shown with the decimals of the largest.
-                all(sum, v("L_d").length() + v("L_s").length())
+                all(sum, v("L_d").length() + l_s.length())
             }
             other => panic!("{}: nobody computes '{other}' anew", S::NAME),
         }
@@ -368,6 +374,8 @@ impl<S: Package> Sheet<'_, S> {
                 }
                 if section.name == "intersection" {
                     self.told.retain(|symbol, _| ["p", "d"].contains(symbol));
+                } else {
+                    self.told.remove("L_s");
                 }
                 for line in &group.lines {
                     let Some(found) = numbers(line.value, self.shown) else { continue };

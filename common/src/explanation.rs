@@ -409,7 +409,7 @@ impl fmt::Display for Explanation {
             writeln!(f, "{}", section.name)?;
             for group in &section.groups {
                 match group.outcome {
-                    Outcome::Missed(why, condition) => {
+                    Outcome::Missed(why, condition) if !group.name.is_empty() => {
                         writeln!(f, "  {:<47} {why}: {condition}", group.name)?;
                         continue;
                     }

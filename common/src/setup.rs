@@ -34,6 +34,12 @@ struct Change {
     value: String,
 }
 
+impl Change {
+    fn is_of(&self, control: &Control<'_>) -> bool {
+        control.name == self.name && control.of == self.of
+    }
+}
+
 /// A control as a front end shows it: a plain value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
@@ -125,8 +131,7 @@ impl Setup {
         self.view = self.step.view();
         let mut controls = controls(&mut *self.step, &mut self.view);
         for change in &self.changes {
-            let is_it =
-                |control: &&mut Control<'_>| control.name == change.name && control.of == change.of;
+            let is_it = |control: &&mut Control<'_>| change.is_of(control);
             if let Some(control) = controls.iter_mut().find(is_it) {
                 // What one step took may be out of another's range; it then keeps its own.
                 let _ = control.set(&change.value);
@@ -139,7 +144,7 @@ impl Setup {
     }
 
     /// The controls that are shown: those that only one of several objects has for the chosen one
-    /// alone, with the choice before them.
+    /// alone, with the choice before them where there is one to make.
     pub fn list(&mut self) -> Vec<Setting> {
         let (chosen, changes) = (self.chosen.clone(), self.changes.clone());
         let controls = self.controls();
@@ -148,15 +153,16 @@ impl Setup {
             if let Some((kind, which)) = control.of {
                 let names = all(&controls, kind);
                 let place = choice(&chosen, kind, &names);
-                if !list.iter().any(|setting| setting.name == kind) {
+                if names.len() > 1 && !list.iter().any(|setting| setting.name == kind) {
                     list.push(Setting::choice(kind, control.group, names.clone(), place));
                 }
                 if names[place] != which {
                     continue;
                 }
             }
-            let changed =
-                changes.iter().any(|change| change.name == control.name && change.of == control.of);
+            let changed = changes
+                .iter()
+                .any(|change| change.is_of(control) && change.value == control.exact());
             if !list.iter().any(|setting| setting.name == control.name) {
                 list.push(Setting::new(control, changed));
             }
@@ -202,7 +208,7 @@ impl Setup {
         let of = controls.iter().find_map(|control| control.of.filter(|of| of.0 == kind))?;
         let names = all(&controls, kind);
         drop(controls);
-        let words: Vec<&str> = names.iter().map(|name| first_word(name)).collect();
+        let words = words(&names);
         let place = names.iter().position(|name| *name == value);
         let Some(place) = place.or_else(|| words.iter().position(|word| *word == value)) else {
             let (name, value) = (kind.to_owned(), value.to_owned());
@@ -335,47 +341,46 @@ impl Setup {
         }
     }
 
-    /// What has to be set, in this order, to get here from the start: NAME=VALUE each.
+    /// What has to be set, in this order, to get here from the start: NAME=VALUE each. What waits
+    /// for another step is not among it.
     pub fn settings(&self) -> Vec<String> {
-        let setting = |change: &Change| format!("{}={}", change.name, change.value);
-        let free = self.changes.iter().filter(|change| change.of.is_none());
+        let mut step = (self.make)();
+        let mut view = step.view();
+        let mut controls = controls(&mut *step, &mut view);
+        let mut taken = |change: &&Change| {
+            let is_it = |control: &&mut Control<'_>| change.is_of(control);
+            controls.iter_mut().find(is_it).is_some_and(|it| it.set(&change.value).is_ok())
+        };
+        let changes: Vec<&Change> = self.changes.iter().filter(&mut taken).collect();
+        let setting = |change: &&Change| format!("{}={}", change.name, change.value);
+        let free = changes.iter().filter(|change| change.of.is_none());
         let mut settings: Vec<String> = free.map(setting).collect();
         let mut kinds: Vec<&str> = Vec::new();
-        let owners = self.changes.iter().filter_map(|change| change.of);
-        for (kind, _) in owners.chain(self.chosen.iter().copied()) {
+        for (kind, _) in controls.iter().filter_map(|control| control.of) {
             if !kinds.contains(&kind) {
                 kinds.push(kind);
             }
         }
         for kind in kinds {
-            let last = self.chosen.iter().find(|of| of.0 == kind).map(|of| of.1);
-            let mut owners: Vec<&str> = Vec::new();
-            for (other, which) in self.changes.iter().filter_map(|change| change.of) {
-                if other == kind && !owners.contains(&which) && Some(which) != last {
-                    owners.push(which);
+            let names = all(&controls, kind);
+            let words = words(&names);
+            let mut shown = 0;
+            let mut show = |place: usize, settings: &mut Vec<String>| {
+                if place != shown {
+                    settings.push(format!("{kind}={}", words[place]));
+                    shown = place;
+                }
+            };
+            for (place, which) in names.iter().enumerate() {
+                let its = || changes.iter().filter(|change| change.of == Some((kind, which)));
+                if its().next().is_some() {
+                    show(place, &mut settings);
+                    settings.extend(its().map(setting));
                 }
             }
-            owners.extend(last);
-            for which in owners {
-                settings.push(format!("{kind}={}", first_word(which)));
-                let its = self.changes.iter().filter(|change| change.of == Some((kind, which)));
-                settings.extend(its.map(setting));
-            }
-            if last.is_none() {
-                settings
-                    .extend(self.first(kind).map(|which| format!("{kind}={}", first_word(which))));
-            }
+            show(choice(&self.chosen, kind, &names), &mut settings);
         }
         settings
-    }
-
-    /// The first object of `kind`.
-    fn first(&self, kind: &str) -> Option<&'static str> {
-        let mut step = (self.make)();
-        step.controls()
-            .iter()
-            .find_map(|control| control.of.filter(|of| of.0 == kind))
-            .map(|of| of.1)
     }
 }
 
@@ -406,7 +411,7 @@ impl Setting {
     }
 
     fn choice(kind: &str, group: &'static str, names: Vec<&'static str>, place: usize) -> Self {
-        let words: Vec<&str> = names.iter().map(|name| first_word(name)).collect();
+        let words = words(&names);
         Self {
             name: kind.to_owned(),
             group,
@@ -430,6 +435,17 @@ fn all(controls: &[Control<'_>], kind: &str) -> Vec<&'static str> {
         }
     }
     names
+}
+
+/// What each of `names` is called on a command line: its first word, or all of it where another
+/// one has that word too.
+fn words(names: &[&'static str]) -> Vec<&'static str> {
+    let word = |name: &&'static str| {
+        let word = first_word(name);
+        let same = names.iter().filter(|other| first_word(other) == word).count();
+        if same > 1 { name } else { word }
+    };
+    names.iter().map(word).collect()
 }
 
 /// Which of `names`, all of `kind`, is chosen.

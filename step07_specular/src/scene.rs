@@ -116,14 +116,15 @@ pub fn lecture_scene() -> Scene {
         object("floor", grey, triangle(far[0], near[0], near[1])),
     ];
     objects.extend([face(0, 1), face(1, 2), face(2, 3), face(3, 0)]);
+    let lights = vec![
+        light("key light", p(4.0, 6.0, 5.0), 42.0),
+        light("fill light", p(-6.0, 5.0, 4.0), 20.0),
+    ];
     Scene {
         objects,
         background: Color::new(0.03, 0.05, 0.09),
-        lights: vec![
-            light("key light", p(4.0, 6.0, 5.0), 42.0),
-            light("fill light", p(-6.0, 5.0, 4.0), 20.0),
-        ],
-        lit: 2,
+        lit: lights.len(),
+        lights,
         ambient: 1.0,
         shadows: true,
         epsilon: 1e-3,

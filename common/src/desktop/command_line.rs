@@ -351,7 +351,8 @@ impl Job<'_> {
         let area = canvas.area();
         let text_size = (area.height / 30.0).clamp(11.0, 40.0);
         if let Some(onlooker) = &self.onlooker {
-            let outside = Outside { step, view, onlooker, area };
+            let onlooker = onlooker.camera(self.size.aspect());
+            let outside = Outside { step, view, onlooker: &*onlooker, area };
             outside.draw(&mut canvas, explanation.as_ref(), &handles, text_size);
         } else {
             let sight = Sight { step, camera: &*camera, area };

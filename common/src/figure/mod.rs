@@ -16,9 +16,11 @@ use crate::Image;
 use crate::Ink;
 use crate::Pixel;
 use crate::Ray;
+use crate::Sight;
 use crate::Size;
 use crate::Step;
 use crate::Value;
+use crate::Vec3;
 use crate::View;
 
 pub use sketch::Axes;
@@ -71,6 +73,11 @@ impl Camera for PanelCamera<'_> {
     fn generate_ray(&self, u: f32, v: f32) -> Ray {
         let (u, v) = (self.horizontal * (u - 0.5), self.vertical * (v - 0.5));
         self.camera.generate_ray(0.5 + u, 0.5 + v)
+    }
+
+    fn project(&self, point: Vec3) -> Option<(f32, f32)> {
+        let (u, v) = self.camera.project(point)?;
+        Some((0.5 + (u - 0.5) / self.horizontal, 0.5 + (v - 0.5) / self.vertical))
     }
 }
 
@@ -164,13 +171,12 @@ impl<L: Step + Clone> Figure<L> {
         self
     }
 
-    /// The size at which all panels have the figure's shape.
+    /// The size at which all panels have the figure's shape, and their edges are those of pixels.
     pub fn size(&self) -> Size {
-        let width = Size::DEFAULT.width() as f32;
-        let panel = self.place(0, width, width);
-        let cell = width / self.rows() as f32;
-        let height = self.rows() as f32 * (cell - panel.height + panel.width / self.aspect);
-        Size::new(width as usize, height.round() as usize).unwrap_or(Size::DEFAULT)
+        let width = Size::DEFAULT.width();
+        let panel = self.place(0, width as f32, width as f32);
+        let cell = width as f32 / self.rows() as f32 - panel.height + panel.width / self.aspect;
+        Size::new(width, self.rows() * cell.round() as usize).unwrap_or(Size::DEFAULT)
     }
 
     fn rows(&self) -> usize {
@@ -179,7 +185,7 @@ impl<L: Step + Clone> Figure<L> {
 
     /// How large letters are in a figure that is `width` wide.
     fn text_size(&self, width: f32) -> f32 {
-        width / if self.columns > 3 { 54.0 } else { 44.0 }
+        width / 960.0 * if self.columns > 3 { 18.0 } else { 22.0 }
     }
 
     /// Where a panel's picture lies in the figure.
@@ -271,7 +277,8 @@ impl<L: Step + Clone> Step for Figure<L> {
         let Area { width, height, .. } = canvas.area();
         let size = self.text_size(width);
         for (panel, area, camera, lesson) in self.panels(camera, width as usize, height as usize) {
-            (panel.draw)(&lesson, &mut Sketch::new(canvas.clipped(area), area, &camera, size));
+            let sight = Sight { step: &lesson, camera: &camera, area };
+            (panel.draw)(&lesson, &mut Sketch::new(canvas.clipped(area), sight, size));
             if self.shown == 0 {
                 let at = (area.left + area.width / 2.0, area.top - 0.75 * size);
                 let label = (panel.label)(&lesson);

@@ -2,12 +2,19 @@ use std::ops::Range;
 
 use crate::Anchor;
 use crate::Area;
-use crate::Camera;
 use crate::Canvas;
 use crate::Color;
 use crate::Font;
 use crate::Ink;
+use crate::Outside;
+use crate::Ray;
+use crate::Sight;
 use crate::Vec3;
+use crate::View;
+use crate::marks;
+use crate::pen::Pen;
+use crate::sight::explain_ray;
+use crate::vectors::draw_marks;
 
 /// Lines of a plot, and what its numbers are written with.
 const GRID: Ink = Ink::grey(52);
@@ -20,13 +27,12 @@ const PIECES: u16 = 256;
 pub struct Sketch<'a> {
     /// The picture, as far as it is the panel's.
     pub canvas: Canvas<'a>,
-    /// Where the panel lies in it.
-    pub area: Area,
+    /// What the panel shows, from where, and where it lies in the picture.
+    pub sight: Sight<'a>,
     /// How large letters are, in pixels.
     pub size: f32,
     /// How wide a line is, in pixels.
     pub stroke: f32,
-    camera: &'a dyn Camera,
 }
 
 /// A rectangle of a panel in which positions are pairs of numbers.
@@ -64,29 +70,37 @@ impl Axes {
 }
 
 impl<'a> Sketch<'a> {
-    pub(super) fn new(canvas: Canvas<'a>, area: Area, camera: &'a dyn Camera, size: f32) -> Self {
-        Self { canvas, area, size, stroke: size / 11.0, camera }
+    pub(super) fn new(canvas: Canvas<'a>, sight: Sight<'a>, size: f32) -> Self {
+        Self { canvas, sight, size, stroke: size / 11.0 }
     }
 
     /// Where the normalized coordinates (u, v) of the panel are, in pixels.
     pub fn at(&self, u: f32, v: f32) -> (f32, f32) {
-        (self.area.left + u * self.area.width, self.area.bottom() - v * self.area.height)
+        let area = self.sight.area;
+        (area.left + u * area.width, area.bottom() - v * area.height)
     }
 
-    /// Where `point` is seen, in pixels.
-    ///
-    /// At a given depth the points seen are an affine function of (u, v), with both cameras.
+    /// Where `point` is seen, in pixels; no numbers, at which nothing is drawn, where it is not.
     pub fn project(&self, point: Vec3) -> (f32, f32) {
-        let center = self.camera.generate_ray(0.5, 0.5);
-        let depth = (point - center.origin).dot(center.direction);
-        let seen = |u, v| {
-            let ray = self.camera.generate_ray(u, v);
-            ray.at(depth / ray.direction.dot(center.direction))
-        };
-        let corner = seen(0.0, 0.0);
-        let (right, up) = (seen(1.0, 0.0) - corner, seen(0.0, 1.0) - corner);
-        let offset = point - corner;
-        self.at(offset.dot(right) / right.length_squared(), offset.dot(up) / up.length_squared())
+        self.sight.at(point).unwrap_or((f32::NAN, f32::NAN))
+    }
+
+    /// Draws what the lesson tells of `ray` under these symbols, where it is in the world, and the
+    /// point that the ray hits.
+    pub fn vectors(&mut self, ray: &Ray, symbols: &[&str]) {
+        let told = explain_ray(self.sight.step, ray);
+        let mut marks = marks(&told, 1.0);
+        marks.retain(|mark| mark.symbol == "point" || symbols.contains(&mark.symbol));
+        let mut pen = Pen::new(&mut self.canvas, self.sight, self.size);
+        draw_marks(&mut pen, &marks);
+        pen.finish();
+    }
+
+    /// Draws the camera of `view`, seen from this one.
+    pub fn outside(&mut self, view: &View) {
+        let Sight { step, camera, area } = self.sight;
+        let outside = Outside { step, view, onlooker: camera, area };
+        outside.draw(&mut self.canvas, None, &[], self.size);
     }
 
     /// Writes `text`, readable on any picture, with its middle at `at`, in pixels.
@@ -98,7 +112,7 @@ impl<'a> Sketch<'a> {
     /// axis.
     pub fn axes(&mut self, x_name: &str, x: Range<f32>, y: Range<f32>) -> Axes {
         let (size, letter) = (self.size, Font::width(self.size, "0"));
-        let Area { left, top, width, height } = self.area;
+        let Area { left, top, width, height } = self.sight.area;
         let area =
             Area::new(left + 4.0 * letter, top + size, width - 6.0 * letter, height - 4.0 * size);
         let axes = Axes { area, x, y };
@@ -139,7 +153,7 @@ impl<'a> Sketch<'a> {
     /// Draws at the panel's foot which `color` stands for which number from `range`.
     pub fn scale(&mut self, range: Range<f32>, color: impl Fn(f32) -> Color) {
         let (left, bottom) = self.at(0.1, 0.0);
-        let (width, size) = (0.8 * self.area.width, 0.8 * self.size);
+        let (width, size) = (0.8 * self.sight.area.width, 0.8 * self.size);
         let top = bottom - 2.6 * size;
         let span = range.end - range.start;
         for piece in 0..PIECES {

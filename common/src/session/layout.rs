@@ -58,10 +58,7 @@ fn fit(outer: Area, aspect: f32) -> Area {
 /// The upper part of `area`, `height` high, and the rest.
 pub(super) fn split(area: Area, height: f32) -> (Area, Area) {
     let height = height.clamp(0.0, area.height.max(0.0));
-    (
-        Area { height, ..area },
-        Area { top: area.top + height, height: area.height - height, ..area },
-    )
+    (Area { height, ..area }, Area { top: area.top + height, height: area.height - height, ..area })
 }
 
 impl Layout {

@@ -143,12 +143,7 @@ enum Held {
     #[default]
     Nothing,
     /// The picture, at a place and as it was seen then; a click as long as it does not move.
-    Picture {
-        at: (f32, f32),
-        azimuth: f32,
-        elevation: f32,
-        click: bool,
-    },
+    Picture { at: (f32, f32), azimuth: f32, elevation: f32, click: bool },
     /// A point of the world that is marked in the picture.
     Point(Handle),
     /// The slider of a control.
@@ -633,9 +628,7 @@ impl Session {
     fn toggle(&mut self, fold: Fold) {
         let mut rows = self.reading_rows();
         rows.extend(self.control_rows());
-        let is_open = |row: &Row| {
-            matches!(row, Row::Heading { fold: other, open: true, .. } if *other == fold)
-        };
+        let is_open = |row: &Row| matches!(row, Row::Heading { fold: other, open: true, .. } if *other == fold);
         self.fold(fold, !rows.iter().any(is_open));
     }
 

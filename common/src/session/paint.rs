@@ -120,7 +120,8 @@ impl Session {
         let (step, view) = (self.setup.step(), self.setup.view());
         let mut canvas = canvas.clipped(area);
         if let Some(onlooker) = &self.onlooker {
-            let outside = Outside { step, view, onlooker, area };
+            let onlooker = onlooker.camera(area.width / area.height);
+            let outside = Outside { step, view, onlooker: &*onlooker, area };
             return outside.draw(&mut canvas, explanation.as_ref(), &points, text_size);
         }
         if explanation.is_some() {
@@ -224,7 +225,8 @@ impl Session {
             let its: Vec<&Setting> =
                 settings.iter().filter(|setting| setting.group == group).collect();
             for setting in &its {
-                let choice = settings.iter().find(|choice| setting.of == Some(choice.name.as_str()));
+                let choice =
+                    settings.iter().find(|choice| setting.of == Some(choice.name.as_str()));
                 for setting in choice.into_iter().chain([*setting]) {
                     let row = Row::Control(setting.clone());
                     if !rows.iter().any(|other| other.target() == row.target()) {

@@ -346,9 +346,7 @@ fn draw_fold(canvas: &mut Canvas<'_>, (x, y): (f32, f32), r: f32, open: bool, in
 }
 
 /// Writes a paragraph from the top of `area` on; where it ends.
-pub(super) fn draw_text(
-    canvas: &mut Canvas<'_>, area: Area, em: f32, ink: Ink, text: &str,
-) -> f32 {
+pub(super) fn draw_text(canvas: &mut Canvas<'_>, area: Area, em: f32, ink: Ink, text: &str) -> f32 {
     let mut top = area.top;
     for line in Font::wrap(em, text, area.width) {
         canvas.text_within((area.left, top), Anchor::TopLeft, em, ink, &line, area.width);
