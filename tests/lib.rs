@@ -204,7 +204,7 @@ pub fn program(name: &str) -> PathBuf {
 pub fn command(name: &str, folder: &Path) -> Command {
     let mut command = Command::new(program(name));
     command.current_dir(folder).env("HOME", folder).env("TMPDIR", folder);
-    command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY");
+    command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env("LC_ALL", "C");
     command
 }
 

@@ -3,6 +3,8 @@ use std::fmt;
 use image::Rgb;
 use image::RgbImage;
 
+use crate::text;
+
 /// How far one picture is from another, and where.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Comparison {
@@ -119,14 +121,17 @@ fn hint(found: &RgbImage, others: &[(&str, RgbImage)], strays: usize) -> Option<
 impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Equal { inexact: 0, .. } => write!(f, "equal to the last digit"),
-            Self::Equal { inexact, strays } => write!(
-                f,
-                "equal within {TOLERANCE}/255; pixels that differ at all: {inexact}, by more: {strays}"
-            ),
+            Self::Equal { inexact: 0, .. } => f.write_str(text!("equal to the last digit")),
+            Self::Equal { inexact, strays } => f.write_str(&text!(
+                "equal within {tolerance}/255; pixels that differ at all: {inexact}, by more: {strays}",
+                tolerance = TOLERANCE,
+                inexact,
+                strays
+            )),
             Self::Size { expected, found } => {
                 let ((width, height), (w, h)) = (expected, found);
-                write!(f, "the size is {w}x{h}, and {width}x{height} was expected")
+                f.write_str(&text!(
+"the size is {w}x{h}, and {width}x{height} was expected",w,h,width,height))
             }
             Self::Different(difference) => difference.fmt(f),
         }
@@ -137,9 +142,23 @@ impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { pixels, of, worst: (col, row), expected, found, bounds, hint } = self;
         let [left, top, right, bottom] = bounds;
-        write!(f, "{pixels} of {of} pixels are more than {TOLERANCE}/255 off, ")?;
-        write!(f, "all between ({left}, {top}) and ({right}, {bottom}), ")?;
-        write!(f, "the worst at ({col}, {row}): {found:?} instead of {expected:?}")?;
+        let (found, expected) = (format!("{found:?}"), format!("{expected:?}"));
+        f.write_str(&text!(
+            "{pixels} of {of} pixels are more than {tolerance}/255 off, all between \
+             ({left}, {top}) and ({right}, {bottom}), the worst at ({col}, {row}): {found} \
+             instead of {expected}",
+            pixels,
+            of,
+            tolerance = TOLERANCE,
+            left,
+            top,
+            right,
+            bottom,
+            col,
+            row,
+            found,
+            expected
+        ))?;
         match hint {
             Some(hint) => write!(f, "; {hint}"),
             None => Ok(()),

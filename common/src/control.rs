@@ -3,6 +3,7 @@ use std::ops::RangeInclusive;
 
 use crate::Color;
 use crate::Vec3;
+use crate::text;
 
 /// One thing that can be changed while the picture is looked at: a slider, a switch or a choice.
 ///
@@ -169,7 +170,7 @@ pub struct Refused {
 impl fmt::Display for Refused {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { name, value, takes } = self;
-        write!(f, "'{name}' cannot be '{value}': it takes {takes}")
+        f.write_str(&text!("'{name}' cannot be '{value}': it takes {takes}", name, value, takes))
     }
 }
 
@@ -179,9 +180,11 @@ impl Kind<'_> {
     fn takes(&self) -> String {
         match self {
             Self::Number(_, range) | Self::Logarithmic(_, range) | Self::Brightness(_, range) => {
-                format!("{} to {}", range.start(), range.end())
+                text!("{low} to {high}", low = range.start(), high = range.end())
             }
-            Self::Count(_, range) => format!("{} to {}", range.start(), range.end()),
+            Self::Count(_, range) => {
+                text!("{low} to {high}", low = range.start(), high = range.end())
+            }
             Self::Choice { names, .. } => {
                 names.iter().map(|name| first_word(name)).collect::<Vec<_>>().join(" | ")
             }

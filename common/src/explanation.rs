@@ -6,6 +6,8 @@ use crate::Pixel;
 use crate::Ray;
 use crate::Vec3;
 use crate::encode;
+use crate::text;
+use crate::translated;
 
 /// One pixel's equations with their numbers, in the slides' symbols and in the order in which they
 /// were computed: what a step tells a [`Listener`], written down.
@@ -192,7 +194,7 @@ impl Value {
             }
             Self::Vector(v) => several(&v.to_array()),
             Self::Share(millionths) => millionths.iter().map(|part| signed(share(*part))).collect(),
-            Self::Word(word) => vec![signed((*word).to_owned())],
+            Self::Word(word) => vec![signed(translated(word).to_owned())],
         }
     }
 }
@@ -404,24 +406,30 @@ impl Listener for Explanation {
 impl fmt::Display for Explanation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Pixel { col, row, width, height } = self.pixel;
-        writeln!(f, "pixel ({col}, {row}) of {width}x{height}")?;
+        writeln!(
+            f,
+            "{}",
+            text!("pixel ({col}, {row}) of {width}x{height}", col, row, width, height)
+        )?;
         for section in &self.sections {
-            writeln!(f, "{}", section.name)?;
+            writeln!(f, "{}", translated(section.name))?;
             for group in &section.groups {
+                let name = translated(group.name);
                 match group.outcome {
                     Outcome::Missed(why, condition) if !group.name.is_empty() => {
-                        writeln!(f, "  {:<47} {why}: {condition}", group.name)?;
+                        let (why, condition) = (translated(why), translated(condition));
+                        writeln!(f, "  {name:<47} {why}: {condition}")?;
                         continue;
                     }
                     Outcome::Farther(t) => {
-                        writeln!(f, "  {:<47}{}", group.name, Value::Number(t))?;
+                        writeln!(f, "  {name:<47}{}", Value::Number(t))?;
                         continue;
                     }
-                    _ if group.name.is_empty() => {}
-                    _ => writeln!(f, "  {}", group.name)?,
+                    _ if name.is_empty() => {}
+                    _ => writeln!(f, "  {name}")?,
                 }
                 for line in &group.lines {
-                    writeln!(f, "    {:<45}{}", line.equation, line.value)?;
+                    writeln!(f, "    {:<45}{}", translated(line.equation), line.value)?;
                 }
             }
         }

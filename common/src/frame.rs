@@ -9,6 +9,7 @@ use crate::Color;
 use crate::Image;
 use crate::Step;
 use crate::encode;
+use crate::text;
 
 /// Width and height of a picture, in pixels: each from 1 to [`MAX_SIDE`](Self::MAX_SIDE),
 /// together at most [`MAX_PIXELS`](Self::MAX_PIXELS) pixels.
@@ -32,14 +33,13 @@ pub enum SizeError {
 impl fmt::Display for SizeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Syntax => write!(f, "a size is WIDTHxHEIGHT in pixels, such as 960x540"),
-            Self::Empty => write!(f, "width and height are at least 1"),
-            Self::TooLarge => write!(
-                f,
-                "the limit is {} pixels a side and {} million in all",
-                Size::MAX_SIDE,
-                Size::MAX_PIXELS / 1_000_000
-            ),
+            Self::Syntax => f.write_str(text!("a size is WIDTHxHEIGHT in pixels, such as 960x540")),
+            Self::Empty => f.write_str(text!("width and height are at least 1")),
+            Self::TooLarge => f.write_str(&text!(
+                "the limit is {side} pixels a side and {all} million in all",
+                side = Size::MAX_SIDE,
+                all = Size::MAX_PIXELS / 1_000_000
+            )),
         }
     }
 }
@@ -137,9 +137,11 @@ pub fn check_loop(step: &dyn Step) -> Result<(), String> {
     let mut image = Image::new(3, 4, 2, &mut colors);
     step.render(&*step.view().camera(3.0 / 4.0), &mut image);
     image.stray().map_or(Ok(()), |(col, row)| {
-        Err(format!(
+        Err(text!(
             "asked for row 2 of a 3x4 picture, the pixel loop sets column {col} of row {row}: \
-             loop over image.rows() and 0..image.width()"
+             loop over image.rows() and 0..image.width()",
+            col,
+            row
         ))
     })
 }

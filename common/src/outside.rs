@@ -16,6 +16,7 @@ use crate::View;
 use crate::pen::Pen;
 use crate::sight::first_hit;
 use crate::sight::told_hit;
+use crate::text;
 use crate::vectors::draw_handles;
 use crate::vectors::draw_marks;
 use crate::vectors::marks;
@@ -150,12 +151,12 @@ impl Outside<'_> {
             draw_marks(&mut pen, &marks(explanation, unit(&sight, explanation)));
         }
         if perspective {
-            pen.dot(self.view.eye(), 2.4, Ink::WHITE, "eye");
+            pen.dot(self.view.eye(), 2.4, Ink::WHITE, text!("eye"));
         }
         let height = |corner: &Vec3| sight.at(*corner).map_or(f32::INFINITY, |at| at.1);
         let corners = window.corners();
         if let Some(highest) = corners.iter().min_by(|a, b| height(a).total_cmp(&height(b))) {
-            pen.label(*highest, FRAME, "window");
+            pen.label(*highest, FRAME, text!("window"));
         }
         pen.finish();
     }
@@ -265,7 +266,7 @@ impl Outside<'_> {
             pen.dot(window.at(u, v), 1.2, ink, "(u, v)");
         }
         pen.dot(ray.origin, 1.6, ink, "p");
-        pen.label(ray.at(0.6 * hit.unwrap_or(beyond)), ink, "viewing ray");
+        pen.label(ray.at(0.6 * hit.unwrap_or(beyond)), ink, text!("viewing ray"));
     }
 }
 

@@ -8,6 +8,7 @@ use crate::Step;
 use crate::Vec3;
 use crate::View;
 use crate::control::first_word;
+use crate::text;
 
 /// A step, where it is seen from, and what was changed in both: all that a picture is made of.
 ///
@@ -80,9 +81,12 @@ pub enum SettingError {
 impl fmt::Display for SettingError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Unknown { name, known } => {
-                write!(f, "there is no control '{name}'; there are {}", known.join(", "))
-            }
+            Self::Unknown { name, known } => f.write_str(&text!(
+                "there is no control '{name}'{nearest}; there are {names}",
+                name,
+                nearest = "",
+                names = known.join(", ")
+            )),
             Self::Refused(refused) => refused.fmt(f),
         }
     }

@@ -12,6 +12,8 @@ use crate::Vec3;
 use crate::pen::Pen;
 use crate::sight::distance;
 use crate::sight::told_hit;
+use crate::text;
+use crate::translated;
 
 /// The colour of a symbol wherever it is drawn or written, apart for those who see few colours too
 /// (Okabe and Ito's); `None` for one that is not drawn.
@@ -127,7 +129,7 @@ pub(crate) fn draw_marks(pen: &mut Pen<'_>, marks: &[Mark]) {
     let width = pen.width();
     for Mark { symbol, shape } in marks {
         if let MarkShape::Area([point, b, c]) = *shape {
-            pen.area([point, b, c], ink(symbol), symbol);
+            pen.area([point, b, c], ink(symbol), translated(symbol));
             pen.line(b, c, 0.6 * width, Ink::WHITE);
             pen.line(point, b, 0.6 * width, Ink::WHITE);
         }
@@ -139,7 +141,7 @@ pub(crate) fn draw_marks(pen: &mut Pen<'_>, marks: &[Mark]) {
             let longest = |stroke: &&crate::Stroke| (8.0 * distance(stroke.from, stroke.to)) as u32;
             if let Some(crate::Stroke { from, to, .. }) = seen.iter().max_by_key(longest) {
                 let middle = ((from.0 + to.0) / 2.0, (from.1 + to.1) / 2.0);
-                pen.label_toward(middle, (0.7, 0.7), ink(symbol), "shadow ray");
+                pen.label_toward(middle, (0.7, 0.7), ink(symbol), text!("shadow ray"));
             }
         }
         if let MarkShape::Blocked(_, to) = *shape {
@@ -148,16 +150,16 @@ pub(crate) fn draw_marks(pen: &mut Pen<'_>, marks: &[Mark]) {
     }
     for Mark { symbol, shape } in marks {
         if let MarkShape::Arrow(from, to) = *shape {
-            pen.arrow(from, to, ink(symbol), symbol);
+            pen.arrow(from, to, ink(symbol), translated(symbol));
         }
     }
     for Mark { symbol, shape } in marks {
         match *shape {
             MarkShape::Point(point) if *symbol == "point" => {
-                pen.dot(point, 1.1, ink(symbol), symbol);
+                pen.dot(point, 1.1, ink(symbol), translated(symbol));
             }
-            MarkShape::Point(point) => pen.dot(point, 0.9, ink(symbol), symbol),
-            MarkShape::Farther(point) => pen.dot(point, 1.2, Ink::grey(170), symbol),
+            MarkShape::Point(point) => pen.dot(point, 0.9, ink(symbol), translated(symbol)),
+            MarkShape::Farther(point) => pen.dot(point, 1.2, Ink::grey(170), translated(symbol)),
             _ => {}
         }
     }
@@ -182,7 +184,7 @@ pub(crate) fn draw_handles<'a>(pen: &mut Pen<'a>, handles: &'a [Handle]) {
         canvas.disc((x, y), radius, ink.with_alpha(220));
         let name = match (handle.name, handle.of) {
             ("center", _) => "",
-            (_, Some((_, which))) => which,
+            (_, Some((_, which))) => translated(which),
             (name, None) => name,
         };
         pen.label_toward((x, y), (0.0, 1.8), ink, name);

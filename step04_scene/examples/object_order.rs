@@ -5,6 +5,7 @@ use std::process::ExitCode;
 use common::Figure;
 use common::Size;
 use common::prelude::*;
+use common::text;
 use step04_scene::Lesson;
 use step04_scene::render::viewing_ray;
 
@@ -75,8 +76,8 @@ fn tests(order: Order) -> usize {
 fn figure() -> Figure<Lesson> {
     let [object, image]: [Order; 2] = [object_order, image_order];
     let panels = [
-        (format!("object order: {} tests", tests(object)), object, 1.0),
-        (format!("image order: {} tests", tests(image)), image, 1.0),
+        (text!("object order: {tests} tests", tests = tests(object)), object, 1.0),
+        (text!("image order: {tests} tests", tests = tests(image)), image, 1.0),
         ("object order, half way".to_owned(), object, 0.5),
         ("image order, half way".to_owned(), image, 0.5),
     ];

@@ -5,6 +5,7 @@ use common::Figure;
 use common::Ink;
 use common::Sketch;
 use common::prelude::*;
+use common::text;
 use common::told;
 use step05_diffuse::Lesson;
 use step05_diffuse::material::Material;
@@ -58,7 +59,7 @@ fn label(lesson: &Lesson) -> String {
     let met: Vec<f32> = rays(lesson).into_iter().filter_map(|(_, _, top)| top).collect();
     let n_dot_l =
         met.first().map_or("n·l = 0".to_owned(), |n_dot_l| format!("n·l = {n_dot_l:.2}"));
-    format!("{} rays meet the top: {n_dot_l}", met.len())
+    text!("{rays} rays meet the top: {n_dot_l}", rays = met.len(), n_dot_l)
 }
 
 fn figure() -> Figure<Lesson> {

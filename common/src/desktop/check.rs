@@ -34,6 +34,7 @@ use crate::Setup;
 use crate::Size;
 use crate::centered;
 use crate::side_by_side;
+use crate::text;
 
 /// A picture that a step and a solution of its exercise are compared by.
 #[derive(Clone, Debug, PartialEq)]
@@ -165,7 +166,7 @@ impl Case {
         for setting in &self.settings {
             options += &format!(" --set {setting}");
         }
-        if self.backwards { options + ", with the camera turned round" } else { options }
+        if self.backwards { options + text!(", with the camera turned round") } else { options }
     }
 }
 
@@ -175,7 +176,7 @@ pub(super) fn serve(make: &Make) -> Result<()> {
     let mut output = io::stdout().lock();
     for line in io::stdin().lock().lines() {
         let case = line.ok().as_deref().and_then(Case::read);
-        let case = case.context("--cases is for --check of another step")?;
+        let case = case.context(text!("--cases is for --check of another step"))?;
         match case.scene(make) {
             Ok(scene) => {
                 output.write_all(&[0])?;
@@ -212,7 +213,11 @@ pub(super) fn is_step(name: &str) -> Result<(), String> {
     steps.sort();
     match steps.iter().any(|step| step == name) {
         true => Ok(()),
-        false => Err(format!("there is no step '{name}'; there are {}", steps.join(", "))),
+        false => Err(text!(
+            "there is no step '{name}'; there are {names}",
+            name,
+            names = steps.join(", ")
+        )),
     }
 }
 
@@ -225,9 +230,13 @@ fn ask(name: &str, cases: &[Case]) -> Result<Vec<Result<RgbImage, String>>> {
     let manifest = root().join("Cargo.toml");
     let mut build = cargo();
     build.args(["build", "--quiet", "--package", name, "--manifest-path"]).arg(&manifest);
-    let built = build.status().context("cannot run cargo, which has to build the other step")?;
+    let built =
+        build.status().context(text!("cannot run cargo, which has to build the other step"))?;
     if !built.success() {
-        bail!("{name} does not compile: what cargo says of it stands above; begin with the first");
+        bail!(text!(
+            "{name} does not compile: what cargo says of it stands above; begin with the first",
+            name
+        ));
     }
     let mut run = cargo();
     run.args(["run", "--quiet", "--package", name, "--manifest-path"]).arg(&manifest);
@@ -236,16 +245,21 @@ fn ask(name: &str, cases: &[Case]) -> Result<Vec<Result<RgbImage, String>>> {
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .spawn()
-        .with_context(|| format!("cannot run {name}"))?;
+        .with_context(|| text!("cannot run {name}", name))?;
     let lines: String = cases.iter().map(|case| format!("{case}\n")).collect();
     // The lines fit into a pipe, so that nobody waits; who stops early says why.
     let _ = run.stdin.take().map(|mut input| input.write_all(lines.as_bytes()));
-    let mut output = run.stdout.take().context("no standard output")?;
+    let mut output = run.stdout.take().context(text!("no standard output"))?;
     let mut pictures = Vec::new();
     for case in cases {
         let picture = read(&mut output, case.size);
-        let stopped =
-            || anyhow!("{name} stops at {}: what it says of that stands above", case.options());
+        let stopped = || {
+            anyhow!(text!(
+                "{name} stops at {options}: what it says of that stands above",
+                name,
+                options = case.options()
+            ))
+        };
         pictures.push(picture.map_err(|_| stopped())?);
     }
     run.wait()?;
@@ -269,7 +283,7 @@ fn read(output: &mut impl Read, size: Size) -> io::Result<Result<RgbImage, Strin
 /// The mistakes in one line each.
 pub(super) fn said_of(mistakes: &[&Mistake]) -> String {
     match mistakes {
-        [first, second] => format!("{first}\nOr: {second}\n"),
+        [first, second] => text!("{first}\nOr: {second}\n", first, second),
         _ => mistakes.iter().map(|mistake| format!("{mistake}\n")).collect(),
     }
 }
@@ -283,7 +297,9 @@ pub(super) fn check(program: &Program, name: &str, output: Option<&PathBuf>) -> 
     let cases = Case::all(&program.make)?;
     let scenes: Vec<Scene> = cases
         .iter()
-        .map(|case| case.scene(&program.make).map_err(|name| anyhow!("'{name}' cannot be set")))
+        .map(|case| {
+            case.scene(&program.make).map_err(|name| anyhow!(text!("'{name}' cannot be set", name)))
+        })
         .collect::<Result<_>>()?;
     let frames: Vec<Frame<'_>> =
         cases.iter().zip(&scenes).map(|(case, scene)| case.frame(scene)).collect();
@@ -311,20 +327,36 @@ pub(super) fn check(program: &Program, name: &str, output: Option<&PathBuf>) -> 
     let differing: Vec<_> = pairs.iter().filter(|(_, pair)| !compare(pair).is_equal()).collect();
     let lacking = match lacking.is_empty() {
         true => String::new(),
-        false => format!("; what {name} cannot set is not compared: {}", lacking.join(", ")),
+        false => text!(
+            "; what {name} cannot set is not compared: {controls}",
+            name,
+            controls = lacking.join(", ")
+        ),
     };
     let Some((case, pair)) = differing.first() else {
         let done = match itself {
-            true => format!("done: the pixel loop of {name} is right in all {count} pictures"),
-            false => format!("done: {name} draws all {count} pictures as {} does", program.name),
+            true => text!(
+                "done: the pixel loop of {name} is right in all {count} pictures",
+                name,
+                count
+            ),
+            false => text!(
+                "done: {name} draws all {count} pictures as {other} does",
+                name,
+                count,
+                other = program.name
+            ),
         };
         print(&format!("{done}{lacking}\n"))?;
         return Ok(true);
     };
-    let mut text = format!(
-        "{name}: {} of {count} pictures differ{lacking}\nfirst {}\n",
-        differing.len(),
-        case.options()
+    let mut text = text!(
+        "{name}: {differing} of {count} pictures differ{lacking}\nfirst {options}\n",
+        name,
+        differing = differing.len(),
+        count,
+        lacking,
+        options = case.options()
     );
     let comparison = compare(pair);
     text += &format!("{comparison}\n");
@@ -335,7 +367,7 @@ pub(super) fn check(program: &Program, name: &str, output: Option<&PathBuf>) -> 
         let (width, height) = (case.size.width(), case.size.height());
         let explanation =
             pair.frame.step.explain(pair.frame.camera, Pixel { col, row, width, height });
-        text += &format!("\nas {} has it:\n{explanation}", program.name);
+        text += &text!("\nas {name} has it:\n{explanation}", name = program.name, explanation);
     }
     print(&text)?;
     // A picture of eight pixels is to be seen, too.
@@ -345,6 +377,9 @@ pub(super) fn check(program: &Program, name: &str, output: Option<&PathBuf>) -> 
     let picture = imageops::resize(&picture, width, height, FilterType::Nearest);
     file::save_png(&picture, output)?;
     let path = output.display();
-    report(program.name, &format!("expected, found and 8 × their difference written to {path}"));
+    report(
+        program.name,
+        &text!("expected, found and 8 × their difference written to {path}", path),
+    );
     Ok(false)
 }

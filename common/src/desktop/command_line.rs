@@ -1,3 +1,5 @@
+use std::env;
+use std::error::Error;
 use std::fmt::Write as _;
 use std::io;
 use std::io::Write as _;
@@ -14,6 +16,8 @@ use clap::ArgMatches;
 use clap::Command;
 use clap::builder::PathBufValueParser;
 use clap::builder::TypedValueParser;
+use clap::error::ContextKind;
+use clap::error::ContextValue;
 use clap::error::ErrorKind;
 use image::ImageFormat;
 use image::RgbImage;
@@ -27,6 +31,7 @@ use crate::Canvas;
 use crate::Comparison;
 use crate::Frame;
 use crate::KEYS;
+use crate::Language;
 use crate::Mistake;
 use crate::Outside;
 use crate::Pair;
@@ -42,6 +47,8 @@ use crate::View;
 use crate::check_loop;
 use crate::draw_vectors;
 use crate::side_by_side;
+use crate::text;
+use crate::translated;
 
 /// The most rays a pixel are this many squared.
 const MAX_SAMPLES: usize = 16;
@@ -59,12 +66,13 @@ pub(crate) struct Job<'a> {
 }
 
 pub(crate) fn run(program: &Program) -> ExitCode {
+    language().speak();
     let matches = match command(program).try_get_matches() {
         Ok(matches) => matches,
         Err(error) if error.kind() == ErrorKind::DisplayHelp => {
             return status(print(&help(program)).map(|()| true));
         }
-        Err(error) => return usage(&first_line(&error)),
+        Err(error) => return usage(&refusal(&error)),
     };
     let mut setup = Setup::new(program.make.clone());
     if let Err(error) = check_loop(setup.step()) {
@@ -94,8 +102,13 @@ pub(crate) fn run(program: &Program) -> ExitCode {
         let (width, height) = (size.width(), size.height());
         if col >= width || row >= height {
             let (right, bottom) = (width - 1, height - 1);
-            return usage(&format!(
-                "there is no pixel {col},{row}: in a {size} picture they go from 0,0 to {right},{bottom}"
+            return usage(&text!(
+                "there is no pixel {col},{row}: in a {size} picture they go from 0,0 to {right},{bottom}",
+                col,
+                row,
+                size,
+                right,
+                bottom
             ));
         }
         let camera = setup.view().camera(size.aspect());
@@ -110,7 +123,7 @@ pub(crate) fn run(program: &Program) -> ExitCode {
     let mut job = Job { program, setup, size, samples, pixel, onlooker };
     if let Some(expected) = matches.get_one::<PathBuf>("compare") {
         if output.is_some_and(|output| file::is_same(output, expected)) {
-            return usage("--output names the file to compare, which would be overwritten");
+            return usage(text!("--output names the file to compare, which would be overwritten"));
         }
         return status(job.compare(expected, output));
     }
@@ -125,7 +138,7 @@ pub(crate) fn run(program: &Program) -> ExitCode {
                 let path = PathBuf::from(format!("{}.png", program.name));
                 report(
                     program.name,
-                    &format!("no window ({error}), so the picture goes to a file"),
+                    &text!("no window ({error}), so the picture goes to a file", error),
                 );
                 job.write(&path)
             }
@@ -138,19 +151,19 @@ fn command(program: &Program) -> Command {
     let size = |text: &str| text.parse::<Size>().map_err(|error| error.to_string());
     let samples = |text: &str| match text.parse() {
         Ok(samples) if (1..=MAX_SAMPLES).contains(&samples) => Ok(samples),
-        _ => Err(format!("it takes a whole number from 1 to {MAX_SAMPLES}")),
+        _ => Err(text!("it takes a whole number from 1 to {most}", most = MAX_SAMPLES)),
     };
     let pixel = |text: &str| {
-        let (col, row) = text.split_once(',').ok_or("a pixel is X,Y, such as 480,270")?;
+        let (col, row) = text.split_once(',').ok_or(text!("a pixel is X,Y, such as 480,270"))?;
         match (col.trim().parse::<usize>(), row.trim().parse::<usize>()) {
             (Ok(col), Ok(row)) => Ok((col, row)),
-            _ => Err("a pixel is X,Y with whole numbers from 0, such as 480,270"),
+            _ => Err(text!("a pixel is X,Y with whole numbers from 0, such as 480,270")),
         }
     };
     let png = PathBufValueParser::new().try_map(|path| match ImageFormat::from_path(&path) {
         Ok(format) if format != ImageFormat::Png => {
             let path = path.with_extension("png");
-            Err(format!("the picture is a PNG, so name it {}", path.display()))
+            Err(text!("the picture is a PNG, so name it {path}", path = path.display()))
         }
         _ => Ok(path),
     });
@@ -177,21 +190,72 @@ fn command(program: &Program) -> Command {
             option("check", "STEP")
                 .conflicts_with_all(["size", "camera", "set", "samples", "pixel", "compare"]),
         )
+        .arg(option("language", "pt|en").value_parser(Language::ALL.map(|(name, _)| name)))
         // For --check of another step: it asks for pictures on standard input.
         .arg(Arg::new("cases").long("cases").action(ArgAction::SetTrue).hide(true))
 }
 
-/// What clap has to say, in one line.
-fn first_line(error: &clap::Error) -> String {
-    let text = error.to_string();
-    let text = text.strip_prefix("error: ").unwrap_or(&text);
-    let message: Vec<&str> = text
-        .lines()
-        .map(str::trim)
-        .take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"))
-        .filter(|line| !line.is_empty())
-        .collect();
-    message.join("; ")
+/// The language that `--language` asks for, or else the system's. It is looked for before all other
+/// arguments, whose mistakes are told in it.
+fn language() -> Language {
+    let arguments: Vec<String> =
+        env::args_os().map(|argument| argument.to_string_lossy().into_owned()).collect();
+    let given = arguments.iter().zip(arguments.iter().skip(1).map(Some).chain([None]));
+    let mut named = given.filter_map(|(argument, next)| match argument.as_str() {
+        "--language" => next.map(String::as_str),
+        _ => argument.strip_prefix("--language="),
+    });
+    let known = |name: &str| Language::ALL.into_iter().find(|(known, _)| *known == name);
+    named.find_map(known).map_or_else(Language::of_system, |(_, language)| language)
+}
+
+/// Why clap refuses the arguments, in one line.
+fn refusal(error: &clap::Error) -> String {
+    let part = |kind| match error.get(kind) {
+        Some(ContextValue::String(text)) => text.clone(),
+        Some(ContextValue::Strings(texts)) => texts.join(", "),
+        _ => String::new(),
+    };
+    let (argument, value) = (part(ContextKind::InvalidArg), part(ContextKind::InvalidValue));
+    let other = part(ContextKind::PriorArg);
+    let mut text = match error.kind() {
+        ErrorKind::UnknownArgument => text!("unexpected argument '{argument}' found", argument),
+        ErrorKind::InvalidValue if value.is_empty() => {
+            text!("a value is required for '{argument}' but none was supplied", argument)
+        }
+        ErrorKind::InvalidValue => {
+            text!("invalid value '{value}' for '{argument}'", value, argument)
+        }
+        ErrorKind::ValueValidation => {
+            let reason = error.source().map(ToString::to_string).unwrap_or_default();
+            text!("invalid value '{value}' for '{argument}': {reason}", value, argument, reason)
+        }
+        ErrorKind::TooManyValues => {
+            text!("unexpected value '{value}' for '{argument}' found", value, argument)
+        }
+        ErrorKind::ArgumentConflict if argument == other => {
+            text!("the argument '{argument}' cannot be used multiple times", argument)
+        }
+        ErrorKind::ArgumentConflict => {
+            text!("the argument '{argument}' cannot be used with '{other}'", argument, other)
+        }
+        ErrorKind::MissingRequiredArgument => {
+            text!("this argument is required: {argument}", argument)
+        }
+        ErrorKind::InvalidUtf8 => text!("an argument is no text: it is not in UTF-8").to_owned(),
+        _ => error.kind().to_string(),
+    };
+    let values = part(ContextKind::ValidValue);
+    if !values.is_empty() {
+        text += &text!(" [possible values: {values}]", values);
+    }
+    for kind in [ContextKind::SuggestedArg, ContextKind::SuggestedValue] {
+        let similar = part(kind);
+        if !similar.is_empty() {
+            text += &text!("; a similar one is '{similar}'", similar);
+        }
+    }
+    text
 }
 
 /// What the names of the onlooker's controls begin with.
@@ -223,7 +287,7 @@ fn set(matches: &ArgMatches, setup: &mut Setup) -> Result<(), String> {
     for setting in camera.into_iter().chain(settings) {
         let (name, value) = setting
             .split_once('=')
-            .ok_or_else(|| format!("--set takes NAME=VALUE, and '{setting}' has no '='"))?;
+            .ok_or_else(|| text!("--set takes NAME=VALUE, and '{setting}' has no '='", setting))?;
         if name.starts_with(OUTSIDE) {
             continue;
         }
@@ -240,16 +304,21 @@ fn unknown(name: &str, names: &[String]) -> String {
     let distance = |known: &str| damerau_levenshtein(&typed, &known.to_lowercase());
     let nearest = match names.iter().map(|known| (distance(known), known)).min() {
         Some((distance, known)) if distance < typed.chars().count().min(3) => {
-            format!(" (did you mean '{known}'?)")
+            text!(" (did you mean '{known}'?)", known)
         }
         _ => String::new(),
     };
-    format!("there is no control '{name}'{nearest}; there are {}", names.join(", "))
+    text!(
+        "there is no control '{name}'{nearest}; there are {names}",
+        name,
+        nearest,
+        names = names.join(", ")
+    )
 }
 
 fn help(program: &Program) -> String {
     let Program { name, concept, size, .. } = program;
-    let mut text = format!(
+    let mut text = text!(
         "{name}: {concept}
 
 Usage: {name} [OPTIONS]
@@ -259,9 +328,9 @@ Without options it opens a window; with no display it writes {name}.png.
 Options:
   -o, --output FILE       write a PNG, open no window; a name such as a.jpg is refused
   -s, --size WxH          pixels ({size})
-      --camera KIND       {}
+      --camera KIND       {cameras}
       --set NAME=VALUE    set a control, as its slider would; repeatable, applied in order
-      --samples N         N×N rays a pixel (1; at most {MAX_SAMPLES})
+      --samples N         N×N rays a pixel (1; at most {most})
       --pixel X,Y         print that pixel's equations with their numbers; with -o, write the
                           picture with its rays and vectors
       --outside           with -o, write the camera as it is seen from outside; --set also takes
@@ -271,19 +340,24 @@ Options:
       --check STEP        is STEP's program now this one? compares many pictures, names the
                           mistake; expected, found and difference go to check.png, or to -o;
                           exit 1 if they differ; of this step itself, it checks the pixel loop
+      --language pt|en    Portuguese or English; else the system's language
   -h, --help              this text
 
 Controls (default):
 ",
-        View::PROJECTIONS.map(|(name, _)| name).join(" | ")
+        name,
+        concept = translated(concept),
+        size,
+        cameras = View::PROJECTIONS.map(|(name, _)| name).join(" | "),
+        most = MAX_SAMPLES
     );
     for Setting { name, takes, text: value, .. } in Setup::new(program.make.clone()).list() {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "  {name:<14} {takes} ({value})");
     }
-    text.push_str("\nIn the window:\n");
+    text.push_str(text!("\nIn the window:\n"));
     for (keys, effect) in KEYS {
-        let _ = writeln!(text, "  {keys:<16} {effect}");
+        let _ = writeln!(text, "  {:<16} {}", translated(keys), translated(effect));
     }
     text
 }
@@ -298,7 +372,12 @@ impl Job<'_> {
         file::save_png(&picture, path)?;
         report(
             program.name,
-            &format!("{size} rendered in {time} ms, written to {}", path.display()),
+            &text!(
+                "{size} rendered in {time} ms, written to {path}",
+                size,
+                time,
+                path = path.display()
+            ),
         );
         Ok(())
     }
@@ -313,7 +392,11 @@ impl Job<'_> {
             let width = 3 * size.width().max(found.width() as usize);
             let height = size.height().max(found.height() as usize);
             Size::new(width, height).with_context(|| {
-                format!("side by side they take {width}x{height} pixels, so leave --output away")
+                text!(
+                    "side by side they take {width}x{height} pixels, so leave --output away",
+                    width,
+                    height
+                )
             })?;
         }
         let (expected, time) = self.render();
@@ -327,10 +410,12 @@ impl Job<'_> {
             text += &check::said_of(&Mistake::named(&[pair]));
         }
         print(&text)?;
-        let mut done = format!("{size} rendered in {time} ms, compared with {}", file.display());
+        let file = file.display();
+        let mut done =
+            text!("{size} rendered in {time} ms, compared with {file}", size, time, file);
         if let Some(path) = output {
             file::save_png(&side_by_side(&expected, &found), path)?;
-            let _ = write!(done, "; both and their difference written to {}", path.display());
+            done += &text!("; both and their difference written to {path}", path = path.display());
         }
         report(program.name, &done);
         Ok(comparison.is_equal())
@@ -378,7 +463,7 @@ pub(crate) fn print(text: &str) -> Result<()> {
     let mut output = io::stdout().lock();
     match output.write_all(text.as_bytes()).and_then(|()| output.flush()) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-        written => written.context("cannot write to standard output"),
+        written => written.context(text!("cannot write to standard output")),
     }
 }
 
@@ -388,7 +473,7 @@ pub(crate) fn report(name: &str, text: &str) {
 }
 
 fn usage(message: &str) -> ExitCode {
-    tell(&format!("error: {message} (--help lists what is possible)"));
+    tell(&text!("error: {message} (--help lists what is possible)", message));
     ExitCode::from(2)
 }
 

@@ -22,6 +22,8 @@ use tempfile::PersistError;
 
 use crate::Size;
 use crate::SizeError;
+use crate::text;
+use crate::translated;
 
 /// Whether two names are of the same file.
 pub(crate) fn is_same(a: &Path, b: &Path) -> bool {
@@ -39,19 +41,19 @@ pub(crate) fn check_destination(path: &Path) -> Result<()> {
         _ => Path::new("."),
     };
     match fs::metadata(path) {
-        Ok(metadata) if metadata.is_dir() => bail!(
-            "{} is a folder: name a file in it, such as {}",
-            path.display(),
-            path.join("picture.png").display()
-        ),
+        Ok(metadata) if metadata.is_dir() => bail!(text!(
+            "{path} is a folder: name a file in it, such as {file}",
+            path = path.display(),
+            file = path.join("picture.png").display()
+        )),
         Ok(metadata) if metadata.permissions().readonly() => {
-            bail!("{} is read-only: choose another name", path.display())
+            bail!(text!("{path} is read-only: choose another name", path = path.display()))
         }
-        Err(_) if !folder.is_dir() => bail!(
-            "cannot write {}: there is no folder {}; create it or choose another",
-            path.display(),
-            folder.display()
-        ),
+        Err(_) if !folder.is_dir() => bail!(text!(
+            "cannot write {path}: there is no folder {folder}; create it or choose another",
+            path = path.display(),
+            folder = folder.display()
+        )),
         _ => Ok(()),
     }
 }
@@ -94,7 +96,11 @@ fn behind_links(path: &Path) -> PathBuf {
 }
 
 fn unwritable(path: &Path, error: &io::Error) -> anyhow::Error {
-    anyhow!("cannot write {}: {error}; choose another file or folder", path.display())
+    anyhow!(text!(
+        "cannot write {path}: {reason}; choose another file or folder",
+        path = path.display(),
+        reason = reason(error)
+    ))
 }
 
 /// Writes `picture` as `stem-1.png`, or with the next number under which there is no file yet.
@@ -159,8 +165,27 @@ pub(crate) fn read_png(path: &Path) -> Result<RgbImage> {
     };
     read().map_err(|error| {
         // The outer errors only say that there is an inner one.
-        let error = error.root_cause().to_string();
-        let (path, reason) = (path.display(), error.trim_end_matches('.'));
-        anyhow!("cannot read {path} as a PNG: {reason}; name one such as --output writes")
+        let error = error.root_cause();
+        let reason = match error.downcast_ref() {
+            Some(error) => reason(error),
+            None => translated(error.to_string().trim_end_matches('.')).to_owned(),
+        };
+        anyhow!(text!(
+            "cannot read {path} as a PNG: {reason}; name one such as --output writes",
+            path = path.display(),
+            reason
+        ))
     })
+}
+
+/// What the system says, in words of its own but for those that are met often.
+fn reason(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => text!("No such file or directory").to_owned(),
+        io::ErrorKind::PermissionDenied => text!("Permission denied").to_owned(),
+        io::ErrorKind::ReadOnlyFilesystem => text!("Read-only file system").to_owned(),
+        io::ErrorKind::StorageFull => text!("No space left on device").to_owned(),
+        io::ErrorKind::UnexpectedEof => text!("unexpected end of file").to_owned(),
+        _ => error.to_string(),
+    }
 }

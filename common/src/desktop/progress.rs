@@ -6,6 +6,8 @@ use std::sync::atomic::Ordering;
 use std::time::Duration;
 use std::time::Instant;
 
+use crate::text;
+
 /// A line on a terminal's standard error for work that takes more than half a second; nothing on a
 /// pipe.
 pub(crate) struct Progress {
@@ -29,7 +31,11 @@ impl Progress {
         if self.is_shown(elapsed) {
             let share = done as f64 / self.rows as f64;
             let to_go = elapsed.as_secs_f64() * (1.0 / share - 1.0);
-            replace_line(&format!("{:.0} %, {:.0} s to go", (100.0 * share).floor(), to_go.ceil()));
+            replace_line(&text!(
+                "{percent} %, {seconds} s to go",
+                percent = (100.0 * share).floor(),
+                seconds = to_go.ceil()
+            ));
         }
     }
 

@@ -30,8 +30,7 @@ use crate::Key;
 use crate::Session;
 use crate::Size;
 use crate::Wanted;
-
-const SAVING: &str = "saved as soon as it is complete; Esc quits";
+use crate::text;
 
 /// From one picture to the next while something is being changed, the work of the window system
 /// included: 40 a second.
@@ -100,7 +99,11 @@ impl Window {
         let (width, height) = (size.width(), size.height());
         ensure!(
             width.max(height) <= LONGEST,
-            "one is at most {LONGEST} pixels wide and high, not {size}"
+            text!(
+                "one is at most {longest} pixels wide and high, not {size}",
+                longest = LONGEST,
+                size
+            )
         );
         let options = WindowOptions {
             resize: true,
@@ -124,7 +127,7 @@ impl Window {
     ///
     /// When the window system, or standard output, fails.
     pub(crate) fn run(self, session: Session, samples: usize) -> Result<()> {
-        let size = self.size().context("the window has no size")?;
+        let size = self.size().context(text!("the window has no size"))?;
         Shell {
             window: self,
             session,
@@ -183,7 +186,7 @@ impl Window {
         let (width, height) = (picture.width() as usize, picture.height() as usize);
         self.window
             .update_with_buffer(&self.spare, width, height)
-            .map_err(|error| anyhow!("cannot show the picture: {error}"))?;
+            .map_err(|error| anyhow!(text!("cannot show the picture: {error}", error)))?;
         mem::swap(&mut self.shown, &mut self.spare);
         self.collect();
         self.sent = Instant::now();
@@ -202,8 +205,10 @@ fn reason(error: minifb::Error) -> anyhow::Error {
         return anyhow!("{}", text.lines().next().unwrap_or_default().to_owned());
     }
     match env::var("DISPLAY") {
-        Ok(display) if !display.is_empty() => anyhow!("the display {display} does not answer"),
-        _ => anyhow!("no display"),
+        Ok(display) if !display.is_empty() => {
+            anyhow!(text!("the display {display} does not answer", display))
+        }
+        _ => anyhow!(text!("no display")),
     }
 }
 
@@ -331,10 +336,10 @@ impl Shell {
         let finished = drawing.finished();
         let mut status = format!("{:.1} ms", finished.time.as_secs_f64() * 1e3);
         if finished.grid > 1 {
-            status.push_str(&format!(", 1/{} size", finished.grid));
+            status.push_str(&text!(", 1/{grid} size", grid = finished.grid));
         }
         if finished.samples > 1 {
-            status.push_str(&format!(", {0}x{0} rays a pixel", finished.samples));
+            status.push_str(&text!(", {n}x{n} rays a pixel", n = finished.samples));
         }
         // Fewer are single changes, no movement.
         if self.done.len() >= 10 {
@@ -416,7 +421,9 @@ impl Shell {
                     let camera = self.session.setup().view().camera(size.aspect());
                     let drawing = Drawing::new(size, self.samples, camera, Duration::MAX);
                     self.saving = Some(drawing);
-                    self.session.handle(Event::Say(SAVING.to_owned()));
+                    self.session.handle(Event::Say(
+                        text!("saved as soon as it is complete; Esc quits").to_owned(),
+                    ));
                     self.repaint = true;
                 }
                 Effect::Quit => return Ok(ControlFlow::Break(())),
@@ -437,7 +444,7 @@ impl Shell {
         let name = self.session.program().name;
         let size = drawing.size();
         let done = match file::save_new_png(drawing.picture(), name) {
-            Ok(path) => format!("{size} written to {}", path.display()),
+            Ok(path) => text!("{size} written to {path}", size, path = path.display()),
             Err(error) => format!("{error:#}"),
         };
         self.saving = None;
@@ -450,9 +457,10 @@ impl Shell {
 fn session_key(key: minifb::Key) -> Option<Key> {
     use minifb::Key as K;
 
-    const LETTERS: [(K, char); 15] = [
+    const LETTERS: [(K, char); 16] = [
         (K::C, 'C'),
         (K::D, 'D'),
+        (K::G, 'G'),
         (K::O, 'O'),
         (K::P, 'P'),
         (K::V, 'V'),

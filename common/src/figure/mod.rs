@@ -22,6 +22,7 @@ use crate::Step;
 use crate::Value;
 use crate::Vec3;
 use crate::View;
+use crate::translated;
 
 pub use sketch::Axes;
 pub use sketch::Sketch;
@@ -282,8 +283,9 @@ impl<L: Step + Clone> Step for Figure<L> {
             if self.shown == 0 {
                 let at = (area.left + area.width / 2.0, area.top - 0.75 * size);
                 let label = (panel.label)(&lesson);
-                let size = size * (area.width / Font::width(size, &label).max(1.0)).min(1.0);
-                canvas.text(at, Anchor::Center, size, Ink::WHITE, &label);
+                let label = translated(&label);
+                let size = size * (area.width / Font::width(size, label).max(1.0)).min(1.0);
+                canvas.text(at, Anchor::Center, size, Ink::WHITE, label);
             }
         }
     }

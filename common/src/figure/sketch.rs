@@ -14,6 +14,7 @@ use crate::View;
 use crate::marks;
 use crate::pen::Pen;
 use crate::sight::explain_ray;
+use crate::translated;
 use crate::vectors::draw_marks;
 
 /// Lines of a plot, and what its numbers are written with.
@@ -105,7 +106,7 @@ impl<'a> Sketch<'a> {
 
     /// Writes `text`, readable on any picture, with its middle at `at`, in pixels.
     pub fn text(&mut self, at: (f32, f32), ink: Ink, text: &str) {
-        self.canvas.label(at, Anchor::Center, self.size, ink, text);
+        self.canvas.label(at, Anchor::Center, self.size, ink, translated(text));
     }
 
     /// Draws axes with a grid and numbers that fill the panel, `x_name` being what is along the x
@@ -133,7 +134,7 @@ impl<'a> Sketch<'a> {
         self.canvas.line(corner, area.at(Anchor::TopLeft), thin, NUMBERS);
         self.canvas.line(corner, area.at(Anchor::BottomRight), thin, NUMBERS);
         let below = (area.left + area.width / 2.0, top + height - 0.2 * size);
-        self.canvas.text(below, Anchor::Bottom, size, NUMBERS, x_name);
+        self.canvas.text(below, Anchor::Bottom, size, NUMBERS, translated(x_name));
         axes
     }
 

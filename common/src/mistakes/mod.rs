@@ -18,6 +18,7 @@ use crate::Step;
 use crate::TOLERANCE;
 use crate::compare::off;
 use crate::encode;
+use crate::translated;
 use known::CENTER;
 use known::VISIBLE;
 
@@ -59,6 +60,7 @@ pub struct Pair<'a> {
 impl fmt::Display for Mistake {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { what, slide, place, .. } = self;
+        let (what, place) = (translated(what), translated(place));
         write!(f, "{what}. Slide «{slide}», {place}")
     }
 }

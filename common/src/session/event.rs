@@ -88,6 +88,7 @@ pub const KEYS: &[(&str, &str)] = &[
     ("V", "show or hide the rays and vectors"),
     ("O", "look from outside the camera, or through it"),
     ("C", "print the command that gives this picture"),
+    ("G", "all this in Portuguese"),
     ("F1", "show or hide these keys"),
     ("F2", "save the picture as a new PNG"),
     ("Esc", "unpin; with nothing pinned, quit"),

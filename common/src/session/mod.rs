@@ -11,6 +11,7 @@ use crate::Area;
 use crate::Camera;
 use crate::Explanation;
 use crate::Handle;
+use crate::Language;
 use crate::Make;
 use crate::Outside;
 use crate::Pixel;
@@ -20,6 +21,8 @@ use crate::Size;
 use crate::View;
 use crate::drag;
 use crate::handle_at;
+use crate::text;
+use crate::translated;
 pub use event::Effect;
 pub use event::Event;
 pub use event::KEYS;
@@ -60,7 +63,7 @@ impl Program {
 
     /// What its window is called.
     pub fn title(&self) -> String {
-        format!("{}: {}", self.name, self.concept)
+        format!("{}: {}", self.name, translated(self.concept))
     }
 }
 
@@ -116,6 +119,7 @@ pub struct Session {
     note: Option<String>,
     pointer: (f32, f32),
     held: Held,
+    language: Language,
     effects: Vec<Effect>,
 }
 
@@ -201,6 +205,7 @@ impl Session {
             note: None,
             pointer: (-1.0, -1.0),
             held: Held::Nothing,
+            language: Language::spoken(),
             effects: Vec::new(),
         };
         session.select_first();
@@ -260,6 +265,11 @@ impl Session {
         self.layout().picture
     }
 
+    /// The language of all that it shows: at first the one [spoken](Language::spoken) when it began.
+    pub fn language(&self) -> Language {
+        self.language
+    }
+
     /// The command that gives exactly this picture.
     pub fn command(&self) -> String {
         let Program { name, size, is_figure, .. } = self.program();
@@ -301,6 +311,7 @@ impl Session {
 
     /// Takes an event into account.
     pub fn handle(&mut self, event: Event) -> Vec<Effect> {
+        self.language.speak();
         let picture = self.layout().picture;
         match event {
             Event::Key(key, shift) => {
@@ -385,7 +396,7 @@ impl Session {
             Key::Space => self.hidden = !self.hidden,
             Key::Enter | Key::Char('P') => match self.layout().picture.contains(self.pointer) {
                 true => self.pin(self.pointer),
-                false => self.say("point at the picture to pin a pixel".to_owned()),
+                false => self.say(text!("point at the picture to pin a pixel").to_owned()),
             },
             Key::Escape => self.leave(),
             Key::Tab => self.hold(true),
@@ -396,6 +407,11 @@ impl Session {
             Key::Char('-') => self.text = (self.text / LARGER).max(*TEXT.start()),
             Key::Char('V') => self.vectors = !self.vectors,
             Key::Char('O') => self.step_out(),
+            Key::Char('G') => {
+                self.language = self.language.other();
+                // A figure has words in its picture.
+                self.ask(Effect::Redraw);
+            }
             Key::Char('D') => self.compare(Compare::Divided(0.5)),
             Key::Char('X') => self.compare(Compare::Difference),
             Key::Char('C') => {
@@ -469,7 +485,7 @@ impl Session {
         let same = mem::discriminant(&self.compare) == mem::discriminant(&compare);
         self.compare = if same { Compare::Off } else { compare };
         if self.current == 0 && !same {
-            self.say("there is no step before this one".to_owned());
+            self.say(text!("there is no step before this one").to_owned());
         }
         self.changed();
     }
@@ -478,7 +494,7 @@ impl Session {
         self.onlooker = match self.onlooker {
             Some(_) => None,
             None => {
-                self.say("the camera from outside; O looks through it again".to_owned());
+                self.say(text!("the camera from outside; O looks through it again").to_owned());
                 Some(Outside::onlooker(self.setup.view()))
             }
         };
@@ -538,7 +554,7 @@ impl Session {
     /// Pins the pixel at a place of the window.
     fn pin(&mut self, at: (f32, f32)) {
         if self.onlooker.is_some() {
-            return self.say("pixels are pinned from inside the camera: O".to_owned());
+            return self.say(text!("pixels are pinned from inside the camera: O").to_owned());
         }
         let (u, v) = self.part(at);
         let (width, height) = (self.picture.width() as f32, self.picture.height() as f32);
@@ -555,7 +571,7 @@ impl Session {
         if let Some(explanation) = self.explanation() {
             self.ask(Effect::Print(explanation.to_string()));
             let Pixel { col, row, .. } = explanation.pixel;
-            self.say(format!("pinned pixel ({col}, {row}); Esc unpins it"));
+            self.say(text!("pinned pixel ({col}, {row}); Esc unpins it", col, row));
         }
     }
 

@@ -29,8 +29,10 @@ use crate::Sight;
 use crate::Value;
 use crate::draw_vectors;
 use crate::encode;
+use crate::symbol_ink;
+use crate::text;
+use crate::translated;
 
-const HINT: &str = "click a pixel to see its equations · F1 all keys · Space the picture alone";
 const CAMERA: &str = "camera";
 
 /// What is off by one code is shown as so many.
@@ -45,6 +47,7 @@ impl Session {
     /// all that there is to be seen beside and over them. `status` is a word on how the pictures
     /// were made.
     pub fn paint(&mut self, window: &mut RgbImage, pictures: &[&RgbImage], status: &str) {
+        self.language.speak();
         window.pixels_mut().for_each(|pixel| *pixel = Rgb(BACKGROUND.rgb));
         let layout = self.layout();
         let mut canvas = Canvas::new(window);
@@ -52,7 +55,7 @@ impl Session {
         self.paint_vectors(&mut canvas, &layout);
         let said = match (&self.note, differing) {
             (Some(note), _) => Some(note.clone()),
-            (None, Some((pixels, of))) => Some(format!("{pixels} of {of} pixels differ")),
+            (None, Some((pixels, of))) => Some(text!("{pixels} of {of} pixels differ", pixels, of)),
             (None, None) => None,
         };
         match layout.beside {
@@ -147,6 +150,7 @@ impl Session {
         let mut canvas = canvas.clipped(below);
         let area = area.inset(0.4 * em);
         let Program { name, concept, slides, .. } = self.program();
+        let concept = translated(concept);
         if area.height < 5.0 * row {
             let title = format!("{name}   {concept}");
             let (text, ink) = said.map_or((status, FAINT), |said| (said, TEXT));
@@ -162,13 +166,15 @@ impl Session {
             return;
         }
         let mut top = draw_text(&mut canvas, area, 1.2 * em, ACCENT, name) + 0.2 * em;
-        for (text, ink) in [(*concept, TEXT), (*slides, FAINT)] {
+        for (text, ink) in [(concept, TEXT), (*slides, FAINT)] {
             if !text.is_empty() {
                 top = draw_text(&mut canvas, Area { top, ..area }, em, ink, text);
             }
         }
         top += 0.5 * em;
-        let (text, ink) = said.map_or((HINT, FAINT), |said| (said, TEXT));
+        let hint =
+            text!("click a pixel to see its equations · F1 all keys · Space the picture alone");
+        let (text, ink) = said.map_or((hint, FAINT), |said| (said, TEXT));
         let bottom = draw_text(&mut canvas, Area { top, ..area }, em, ink, text);
         if bottom + row <= area.bottom() {
             let at = area.at(Anchor::BottomLeft);
@@ -213,7 +219,7 @@ impl Session {
                 let fold = Fold::Controls(group);
                 rows.push(Row::Heading {
                     fold,
-                    text: group,
+                    text: translated(group),
                     value: String::new(),
                     open,
                     faint: false,
@@ -246,7 +252,10 @@ impl Session {
             }
             Reading::Keys => {
                 let lecture = if self.programs.len() > 1 { LECTURE_KEYS } else { &[] };
-                KEYS.iter().chain(lecture).map(|(key, effect)| Row::Key(key, effect)).collect()
+                KEYS.iter()
+                    .chain(lecture)
+                    .map(|(key, effect)| Row::Key(translated(key), translated(effect)))
+                    .collect()
             }
             Reading::Diff => {
                 let ink = |line: &str| match line.bytes().next() {
@@ -275,7 +284,7 @@ impl Session {
         for (place, section) in explanation.sections.iter().enumerate().rev() {
             let fold = Fold::Section(section.name);
             let open = self.is_open(fold, place == last);
-            let (text, value) = (section.name, String::new());
+            let (text, value) = (translated(section.name), String::new());
             if !text.is_empty() {
                 rows.push(Row::Heading { fold, text, value, open, faint: false });
             }
@@ -288,18 +297,28 @@ impl Session {
                 if !group.name.is_empty() {
                     let value = match group.outcome {
                         Outcome::Told => String::new(),
-                        Outcome::Missed(why, _) => why.to_owned(),
+                        Outcome::Missed(why, _) => translated(why).to_owned(),
                         Outcome::Closest(t) | Outcome::Farther(t) => {
                             format!("t = {}", Value::Number(t).texts().concat().trim())
                         }
                     };
                     let faint = !group.is_open();
-                    rows.push(Row::Heading { fold, text: group.name, value, open, faint });
+                    rows.push(Row::Heading {
+                        fold,
+                        text: translated(group.name),
+                        value,
+                        open,
+                        faint,
+                    });
                 }
                 if open {
                     rows.extend(group.lines.iter().map(|line| {
-                        let equation = line.equation.to_owned();
-                        Row::Line { equation, values: line.value.texts() }
+                        let ink = symbol_ink(line.symbol()).unwrap_or(FAINT);
+                        Row::Line {
+                            equation: translated(line.equation),
+                            ink,
+                            values: line.value.texts(),
+                        }
                     }));
                 }
             }

@@ -4,7 +4,6 @@ use crate::Canvas;
 use crate::Font;
 use crate::Ink;
 use crate::Setting;
-use crate::symbol_ink;
 
 /// Behind all that is beside the picture.
 pub(super) const BACKGROUND: Ink = Ink::new(21, 24, 31);
@@ -56,7 +55,7 @@ pub(super) enum Row {
     /// A control with its slider.
     Control(Setting),
     /// An equation and its numbers, or words.
-    Line { equation: String, values: Vec<String> },
+    Line { equation: &'static str, ink: Ink, values: Vec<String> },
     /// What is explained, and its colour.
     Pixel { text: String, rgb: [u8; 3] },
     /// A key and what it does.
@@ -100,7 +99,7 @@ impl Row {
         match self {
             Self::Heading { fold: Fold::Group(..), .. } => 1.35 * em,
             Self::Heading { .. } | Self::Control(_) | Self::Pixel { .. } => HIGH * em,
-            Self::Line { equation, values } => {
+            Self::Line { equation, values, .. } => {
                 lines(Columns::new(equation, values, em, width).count()) + 0.15 * em
             }
             Self::Key(key, effect) => {
@@ -313,7 +312,9 @@ impl Panel {
                 let knob = (slider.left + length, middle.1);
                 canvas.disc(knob, 0.34 * em, ink);
             }
-            Row::Line { equation, values } => draw_line(canvas, area, em, equation, values),
+            Row::Line { equation, ink, values } => {
+                draw_line(canvas, area, em, (equation, *ink), values);
+            }
             Row::Pixel { text, rgb } => {
                 let [r, g, b] = *rgb;
                 let side = 1.1 * em;
@@ -355,10 +356,10 @@ pub(super) fn draw_text(canvas: &mut Canvas<'_>, area: Area, em: f32, ink: Ink, 
     top
 }
 
-fn draw_line(canvas: &mut Canvas<'_>, area: Area, em: f32, equation: &str, values: &[String]) {
+fn draw_line(
+    canvas: &mut Canvas<'_>, area: Area, em: f32, (equation, ink): (&str, Ink), values: &[String],
+) {
     let columns = Columns::new(equation, values, em, area.width);
-    let symbol = equation.split(" = ").next().unwrap_or(equation);
-    let ink = symbol_ink(symbol).unwrap_or(FAINT);
     let mut top = draw_text(canvas, area, em, ink, equation);
     if columns.beside {
         top -= LINE * em;

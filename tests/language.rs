@@ -1,0 +1,177 @@
+//! Both languages: every text has its translation, which fits where it stands, and whatever a
+//! class looks at speaks one of them.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+use common::Event;
+use common::Explanation;
+use common::Font;
+use common::KEYS;
+use common::Key;
+use common::LECTURE_KEYS;
+use common::Language;
+use common::Mistake;
+use common::Outcome;
+use common::Program;
+use common::Session;
+use common::Size;
+use common::marks;
+use common::translated;
+use tempfile::tempdir;
+use tests::STEPS;
+use tests::command;
+use tests::root;
+use tests::setup;
+use tests::step;
+
+/// The string literals of Rust source before its unit tests, each with what stands before it.
+fn literals(source: &str) -> Vec<(String, String)> {
+    let mut literals = Vec::new();
+    let mut code = String::new();
+    let mut characters = source.chars().peekable();
+    while let Some(character) = characters.next() {
+        match character {
+            '/' if characters.peek() == Some(&'/') => {
+                characters.by_ref().find(|character| *character == '\n');
+            }
+            // The characters " and \" in quotes.
+            '\'' if characters.peek() == Some(&'"') => {
+                characters.next();
+            }
+            '"' => {
+                let mut text = String::new();
+                while let Some(character) = characters.next().filter(|character| *character != '"')
+                {
+                    match (character, characters.peek()) {
+                        ('\\', Some('\n')) => {
+                            while characters.next_if(|next| next.is_whitespace()).is_some() {}
+                        }
+                        ('\\', Some('n')) => {
+                            characters.next();
+                            text.push('\n');
+                        }
+                        ('\\', Some(_)) => text.extend(characters.next()),
+                        _ => text.push(character),
+                    }
+                }
+                literals.push((code.trim_end().to_owned(), text));
+                code.clear();
+            }
+            _ => code.push(character),
+        }
+    }
+    literals
+}
+
+/// The Rust files in `folder` and in its folders.
+fn sources(folder: &Path) -> Vec<String> {
+    let mut sources = Vec::new();
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            sources.extend(self::sources(&path));
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            sources.push(fs::read_to_string(path).expect("text"));
+        }
+    }
+    sources
+}
+
+/// Whether there is a word to be translated in it: `names` stay.
+fn has_words(text: &str, names: &BTreeSet<String>) -> bool {
+    let words = text.split(|character: char| !character.is_ascii_alphabetic());
+    let long = words.filter(|word| word.len() >= 3 && !["cos", "max"].contains(word));
+    !names.contains(text) && long.into_iter().any(|word| !names.contains(word))
+}
+
+/// What is called the same in every language: controls, their values, and what they belong to.
+fn names() -> BTreeSet<String> {
+    let mut names = BTreeSet::new();
+    for index in 0..STEPS.len() {
+        let (mut step, mut view) = (step(index), step(index).view());
+        for control in step.controls().into_iter().chain(view.controls()) {
+            names.extend(control.options().into_iter().map(str::to_owned));
+            names.extend(control.axis.map(|(name, _)| name.to_owned()));
+            names.extend(control.of.map(|(kind, _)| kind.to_owned()));
+            names.insert(control.name);
+        }
+    }
+    names
+}
+
+/// All texts of the programs, as far as they are known without running them.
+fn texts() -> BTreeSet<String> {
+    let names = names();
+    let mut texts = BTreeSet::new();
+    for source in sources(&root().join("common/src")) {
+        let literals = literals(&source).into_iter();
+        texts.extend(literals.filter(|(code, _)| code.ends_with("text!(")).map(|(_, text)| text));
+    }
+    let keys = KEYS.iter().chain(LECTURE_KEYS).flat_map(|(key, effect)| [key, effect]);
+    let mistakes = Mistake::ALL.iter().flat_map(|mistake| [&mistake.what, &mistake.place]);
+    texts.extend(keys.chain(mistakes).map(|text| (*text).to_owned()));
+    // The group of the controls that every step has, and what is wrong with a file.
+    texts.extend(["camera", "Format error decoding Png: Invalid PNG signature"].map(str::to_owned));
+    for (index, name) in STEPS.into_iter().enumerate() {
+        let folder = root().join(name);
+        let manifest = fs::read_to_string(folder.join("Cargo.toml")).expect("text");
+        let description = manifest.lines().find_map(|line| line.strip_prefix("description = "));
+        texts.insert(description.expect("a description").trim_matches('"').to_owned());
+        let sources = ["src", "examples"].map(|part| sources(&folder.join(part)));
+        for (code, text) in sources.iter().flatten().flat_map(|source| literals(source)) {
+            let calls = ["env!(", "told([", ".slider(", "symbol: &'static str = "];
+            let is_name = calls.iter().any(|call| code.ends_with(call));
+            if has_words(&text, &names) && !is_name {
+                texts.insert(text);
+            }
+        }
+        for explanation in explanations(index) {
+            let symbols = marks(&explanation, 1.0).into_iter().map(|mark| mark.symbol);
+            texts.extend(symbols.filter(|name| has_words(name, &names)).map(str::to_owned));
+        }
+    }
+    texts
+}
+
+fn explanations(index: usize) -> Vec<Explanation> {
+    let step = step(index);
+    let camera = step.view().camera(16.0 / 9.0);
+    let (width, height) = (48, 27);
+    let pixels = (0..width * height).map(|at| (at % width, at / width));
+    let pixel = |(col, row)| common::Pixel { col, row, width, height };
+    pixels.map(|at| step.explain(&*camera, pixel(at))).collect()
+}
+
+/// The {names} in a text, in order of the alphabet.
+fn placeholders(text: &str) -> Vec<&str> {
+    let mut names: Vec<&str> =
+        text.split('{').skip(1).filter_map(|rest| rest.split('}').next()).collect();
+    names.sort_unstable();
+    names
+}
+
+#[test]
+fn every_text_has_its_translation_and_no_other_has() {
+    let texts = texts();
+    let translations: BTreeSet<String> =
+        Language::catalogue().into_iter().map(|(english, _)| english).collect();
+    let missing: Vec<&String> = texts.difference(&translations).collect();
+    assert!(missing.is_empty(), "not in common/src/pt-BR.po: {missing:#?}");
+    let unused: Vec<&String> = translations.difference(&texts).collect();
+    assert!(unused.is_empty(), "nowhere but in common/src/pt-BR.po: {unused:#?}");
+    assert_eq!(translations.len(), Language::catalogue().len(), "a text is translated twice");
+}
+
+#[test]
+fn translations_have_the_same_placeholders_and_letters_that_can_be_written() {
+    for (english, portuguese) in Language::catalogue() {
+        assert!(!portuguese.is_empty(), "not translated: {english}");
+        assert_eq!(placeholders(&english), placeholders(&portuguese), "{english}");
+        let ends = |text: &str| (text.starts_with(['\n', ' ', ';']), text.ends_with('\n'));
+        assert_eq!(ends(&english), ends(&portuguese), "{english}");
+        let unknown = portuguese.chars().find(|letter| *letter != '\n' && !Font::has(*letter));
+        assert_eq!(unknown, None, "not in the font: {portuguese}");
+    }
+}
