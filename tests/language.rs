@@ -4,6 +4,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
+use std::rc::Rc;
 
 use common::Event;
 use common::Explanation;
@@ -81,9 +82,11 @@ fn sources(folder: &Path) -> Vec<String> {
 
 /// Whether there is a word to be translated in it: `names` stay.
 fn has_words(text: &str, names: &BTreeSet<String>) -> bool {
+    // Without the {names}.
+    let text: String = text.split('{').map(|part| part.rsplit('}').next().unwrap_or("")).collect();
     let words = text.split(|character: char| !character.is_ascii_alphabetic());
     let long = words.filter(|word| word.len() >= 3 && !["cos", "max"].contains(word));
-    !names.contains(text) && long.into_iter().any(|word| !names.contains(word))
+    !names.contains(&text) && long.into_iter().any(|word| !names.contains(word))
 }
 
 /// What is called the same in every language: controls, their values, and what they belong to.
@@ -174,4 +177,117 @@ fn translations_have_the_same_placeholders_and_letters_that_can_be_written() {
         let unknown = portuguese.chars().find(|letter| *letter != '\n' && !Font::has(*letter));
         assert_eq!(unknown, None, "not in the font: {portuguese}");
     }
+}
+
+#[test]
+fn portuguese_fits_where_it_stands() {
+    Language::Portuguese.speak();
+    for index in 0..STEPS.len() {
+        for explanation in explanations(index) {
+            for line in explanation.to_string().lines() {
+                assert!(line.chars().count() <= 100, "{}: {line}", STEPS[index]);
+            }
+            for group in explanation.sections.iter().flat_map(|section| &section.groups) {
+                let name = translated(group.name);
+                assert!(name.chars().count() < 47, "it reaches into its number: {name}");
+                // Beside it stands why it is missed, in a column of 18 ems.
+                if let Outcome::Missed(why, _) = group.outcome {
+                    let width = Font::width(1.0, name) + Font::width(1.0, translated(why));
+                    assert!(width <= 15.0, "too wide for its heading: {name}, {why}");
+                }
+                for line in &group.lines {
+                    let equation = translated(line.equation);
+                    assert!(equation.chars().count() < 45, "it reaches into its value: {equation}");
+                }
+            }
+        }
+    }
+    for (_, portuguese) in Language::catalogue() {
+        if portuguese.contains("--help") {
+            let longest = portuguese.lines().map(|line| line.chars().count()).max();
+            assert!(longest <= Some(100), "{longest:?} columns");
+        }
+    }
+}
+
+/// What a step prints, and what it says of that, with these variables and arguments.
+fn run(locale: &[(&str, &str)], arguments: &[&str]) -> String {
+    let folder = tempdir().expect("a folder");
+    let mut program = command(STEPS[5], folder.path());
+    ["LC_ALL", "LC_MESSAGES", "LANG"].iter().for_each(|name| drop(program.env_remove(name)));
+    let output = program.envs(locale.iter().copied()).args(arguments).output().expect("it runs");
+    [output.stdout, output.stderr].map(|text| String::from_utf8(text).expect("text")).concat()
+}
+
+/// Arguments, and what is said to them in English and in Portuguese.
+const SAID: &[(&[&str], &[&str], &[&str])] = &[
+    (
+        &["--help"],
+        &["Shadows, several lights", "Usage:", "Controls (default)", "In the window", "quit"],
+        &["Sombras, várias luzes", "Uso:", "Controles (valor inicial)", "Na janela", "sai"],
+    ),
+    (
+        &["--pixel", "240,420"],
+        &["viewing ray", "intersection", "red sphere", "no root", "blocked by", "sum"],
+        &["raio de visão", "intersecção", "esfera vermelha", "sem raiz", "bloqueada por", "soma"],
+    ),
+    (&["--sizes", "9x9"], &["error: unexpected"], &["erro: argumento inesperado", "parecido"]),
+    (&["--size", "0x0"], &["invalid value", "at least 1"], &["valor inválido", "pelo menos 1"]),
+    (&["--camera", "wide"], &["possible values"], &["valores possíveis: perspective, parallel"]),
+    (&["--size"], &["a value is required"], &["precisa de um valor"]),
+    (&["--outside"], &["is required"], &["obrigatório: --output"]),
+    (&["--set", "fov=0"], &["cannot be '0'", "1 to 170"], &["não pode ser '0'", "1 a 170"]),
+    (&["--set", "fovv=1"], &["did you mean 'fov'"], &["você quis dizer 'fov'"]),
+    (&["--compare", "a.png"], &["cannot read a.png"], &["não consigo ler a.png", "não existe"]),
+    (&["-s", "9x9", "-o", "a/b.png"], &["there is no folder a"], &["não há pasta a"]),
+    (&["-s", "9x9", "-o", "a.png"], &["rendered in"], &["calculada em", "gravada em a.png"]),
+];
+
+#[test]
+fn programs_speak_the_language_of_the_system_or_the_one_asked_for() {
+    for (arguments, english, portuguese) in SAID {
+        let asked = |language| [&["--language", language], *arguments].concat();
+        for (locale, arguments, words, others) in [
+            (&[("LANG", "pt_BR.UTF-8")][..], arguments.to_vec(), portuguese, english),
+            (&[("LANG", "C")], arguments.to_vec(), english, portuguese),
+            (&[], arguments.to_vec(), english, portuguese),
+            (
+                &[("LC_ALL", ""), ("LC_MESSAGES", "pt_PT"), ("LANG", "C")],
+                arguments.to_vec(),
+                portuguese,
+                english,
+            ),
+            (&[("LC_ALL", "C"), ("LANG", "pt_BR")], arguments.to_vec(), english, portuguese),
+            (&[("LC_ALL", "de_DE")], asked("pt"), portuguese, english),
+            (&[("LC_ALL", "pt_BR")], asked("en"), english, portuguese),
+        ] {
+            let said = run(locale, &arguments);
+            for word in *words {
+                assert!(said.contains(word), "{locale:?} {arguments:?}: no {word:?} in {said}");
+            }
+            for word in *others {
+                assert!(!said.contains(word), "{locale:?} {arguments:?}: {word:?} in {said}");
+            }
+        }
+    }
+    assert!(run(&[], &["--language", "tlh"]).contains("possible values: pt, en"));
+}
+
+#[test]
+fn a_key_changes_the_language_of_a_session() {
+    Language::English.speak();
+    let program = Program::new(STEPS[5], "", Size::DEFAULT, Rc::new(|| step(5)));
+    let mut session = Session::new(vec![program], 0, setup(5), Size::DEFAULT, 1);
+    let point = |session: &mut Session| {
+        session.handle(Event::Key(Key::Enter, false));
+        session.note().expect("a note").to_owned()
+    };
+    assert_eq!(point(&mut session), "point at the picture to pin a pixel");
+    session.handle(Event::Key(Key::Char('G'), false));
+    assert_eq!(session.language(), Language::Portuguese);
+    // Whatever else was spoken meanwhile.
+    Language::English.speak();
+    assert_eq!(point(&mut session), "aponte para a imagem para fixar um pixel");
+    session.handle(Event::Key(Key::Char('G'), false));
+    assert_eq!(point(&mut session), "point at the picture to pin a pixel");
 }

@@ -6,6 +6,7 @@ use common::Figure;
 use common::Ink;
 use common::Sketch;
 use common::prelude::*;
+use common::text;
 use common::told;
 use step03_triangle::Lesson;
 use step03_triangle::triangle::Triangle;
@@ -16,7 +17,8 @@ fn label(lesson: &Lesson) -> String {
     let triangle = Triangle::new(lesson.vertices);
     let solve = |say: &mut _| triangle.solve(&RAY, 0.0, f32::INFINITY, say);
     told(["α", "β", "γ"], solve).map_or_else(String::new, |[alpha, beta, gamma]| {
-        format!("α = {alpha:.2}, β = {beta:.2}, γ = {gamma:.2} of the whole area")
+        let [alpha, beta, gamma] = [alpha, beta, gamma].map(|weight| format!("{weight:.2}"));
+        text!("α = {alpha}, β = {beta}, γ = {gamma} of the whole area", alpha, beta, gamma)
     })
 }
 
