@@ -1,0 +1,122 @@
+//! Puts the page together: one file with everything in it.
+
+use std::env;
+use std::fmt::Write as _;
+use std::fs;
+use std::io::Write as _;
+use std::path::Path;
+use std::path::PathBuf;
+use std::process::Command;
+
+use anyhow::Context;
+use anyhow::Result;
+use anyhow::bail;
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use lecture::PROGRAMS;
+
+use crate::handout;
+use crate::handout::escape;
+
+const TARGET: &str = "wasm32-unknown-unknown";
+
+/// glam computes with it, and every browser has had it since 2023.
+const FLAGS: &str = "-Ctarget-feature=+simd128";
+
+/// The whole page.
+///
+/// # Errors
+///
+/// When the steps do not build for a browser, or a handout cannot be read.
+pub(crate) fn page() -> Result<String> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().context("no workspace")?;
+    let wasm = fs::read(build(root)?).context("the steps were built, and are not there")?;
+    let mut packed = GzEncoder::new(Vec::new(), Compression::best());
+    packed.write_all(&wasm)?;
+    let wasm = STANDARD.encode(packed.finish()?);
+    let (mut links, mut articles) = (String::new(), String::new());
+    for program in PROGRAMS {
+        let (folder, number) = (root.join(program.name), &program.name[4..6]);
+        let handout = handout::read(&folder, program.name)?;
+        let title = handout.title.split_once(" · ").map_or("", |(_, title)| title);
+        let _ = writeln!(
+            links,
+            "<li><a href=\"#step{number}\"><b>{number}</b> <span>{}</span></a></li>",
+            escape(title)
+        );
+        let _ = writeln!(
+            articles,
+            "<article id=\"handout{number}\" lang=\"en\"><h2>{}</h2>{}",
+            escape(&handout.title),
+            handout.lead
+        );
+        for (place, section) in handout.sections.iter().enumerate() {
+            let (class, open) = match place {
+                0 => ("idea", " open"),
+                1 => ("equation", " open"),
+                2 => ("try", " open"),
+                _ => ("more", ""),
+            };
+            let heading = escape(&section.heading);
+            let _ = writeln!(
+                articles,
+                "<details class=\"{class}\"{open}><summary><h3>{heading}</h3></summary>{}</details>",
+                section.html
+            );
+        }
+        let difference = root.join("tests/diffs").join(program.name).with_extension("diff");
+        if let Ok(text) = fs::read_to_string(difference) {
+            let _ = writeln!(
+                articles,
+                "<details class=\"more\"><summary><h3 data-text=\"diff\"></h3></summary>{}</details>",
+                handout::difference(&text)
+            );
+        }
+        articles.push_str("</article>\n");
+    }
+    Ok(filled(
+        include_str!("../page/index.html"),
+        &[
+            ("style", include_str!("../page/style.css")),
+            ("script", include_str!("../page/page.js")),
+            ("links", &links),
+            ("articles", &articles),
+            ("wasm", &wasm),
+        ],
+    ))
+}
+
+/// `template` with each `{{name}}` replaced. What is put in is not looked at again.
+fn filled(template: &str, parts: &[(&str, &str)]) -> String {
+    let mut pieces = template.split("{{");
+    let mut page = pieces.next().unwrap_or_default().to_owned();
+    for piece in pieces {
+        let (name, rest) = piece.split_once("}}").unwrap_or((piece, ""));
+        let part = parts.iter().find(|part| part.0 == name);
+        page.push_str(part.map_or("", |part| part.1));
+        page.push_str(rest);
+    }
+    page
+}
+
+/// Builds all steps for a browser: the file that they are in.
+fn build(root: &Path) -> Result<PathBuf> {
+    let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let flags = format!("CARGO_TARGET_{}_RUSTFLAGS", TARGET.to_uppercase().replace('-', "_"));
+    let mut build = Command::new(cargo);
+    build.current_dir(root).args(["rustc", "--quiet", "-p", "lecture", "--lib"]);
+    build.args(["--no-default-features", "--crate-type", "cdylib", "--profile", "page"]);
+    build.args(["--target", TARGET, "--message-format", "json-render-diagnostics"]);
+    if env::var_os(&flags).is_none() {
+        build.env(flags, FLAGS);
+    }
+    let built = build.stderr(std::process::Stdio::inherit()).output().context("cargo")?;
+    if !built.status.success() {
+        bail!("the steps do not build for a browser; if {TARGET} is missing: rustup target add {TARGET}");
+    }
+    let messages = String::from_utf8_lossy(&built.stdout);
+    let file = messages.split('"').filter(|word| word.ends_with("lecture.wasm")).next_back();
+    Ok(PathBuf::from(file.context("cargo does not say what it built")?))
+}
