@@ -93,12 +93,12 @@ impl Outside<'_> {
     pub fn onlooker(view: &View) -> View {
         let (eye, target) = (view.eye(), view.target());
         let far = (eye - target).length().max(1e-3);
-        let middle = eye.lerp(target, 0.5);
+        let middle = eye.lerp(target, 0.5) + 0.1 * far * Vec3::Y;
         let mut onlooker = View::new(middle + far * Vec3::Z, middle, 42.0);
         onlooker.azimuth = 0.0;
         onlooker.elevation = 0.0;
-        onlooker.orbit(view.azimuth + 62.0, 24.0);
-        onlooker.zoom(1.75);
+        onlooker.orbit(view.azimuth + 52.0, 22.0);
+        onlooker.zoom(1.55);
         onlooker
     }
 
@@ -117,7 +117,7 @@ impl Outside<'_> {
         let perspective = self.view.projection == Projection::Perspective;
         let window = Window {
             camera: &*camera,
-            depth: if perspective { 0.3 * self.view.distance } else { 0.0 },
+            depth: if perspective { 0.4 * self.view.distance } else { 0.0 },
             forward: camera.generate_ray(0.5, 0.5).direction,
             columns: COLUMNS,
             rows: ((COLUMNS as f32 / aspect).round() as u32).clamp(1, 4 * COLUMNS),
@@ -144,8 +144,11 @@ impl Outside<'_> {
         if perspective {
             pen.dot(self.view.eye(), 2.4, Ink::WHITE, "eye");
         }
-        let [.., top_right, top_left] = window.corners();
-        pen.label(top_left.lerp(top_right, 0.5), FRAME, "window");
+        let height = |corner: &Vec3| sight.at(*corner).map_or(f32::INFINITY, |at| at.1);
+        let corners = window.corners();
+        if let Some(highest) = corners.iter().min_by(|a, b| height(a).total_cmp(&height(b))) {
+            pen.label(*highest, FRAME, "window");
+        }
         pen.finish();
     }
 
@@ -251,7 +254,7 @@ impl Outside<'_> {
             pen.dot(window.at(u, v), 1.2, ink, "(u, v)");
         }
         pen.dot(ray.origin, 1.6, ink, "p");
-        pen.label(ray.at(0.75 * hit.unwrap_or(beyond)), ink, "viewing ray");
+        pen.label(ray.at(0.6 * hit.unwrap_or(beyond)), ink, "viewing ray");
     }
 }
 

@@ -100,6 +100,7 @@ impl<'a> Pen<'a> {
         let Some(at) = self.sight.at(point) else { return };
         let radius = radius * self.width();
         if self.sight.is_hidden(point) {
+            self.canvas.ring(at, radius, 3.5, UNDER);
             self.canvas.ring(at, radius, 1.5, ink.with_alpha(HIDDEN));
         } else {
             self.canvas.disc(at, radius + 1.5, ink.opposite());
@@ -140,11 +141,13 @@ impl<'a> Pen<'a> {
         if name.is_empty() || !self.sight.area.contains(at) {
             return;
         }
-        let near = |label: &&mut Label<'_>| distance(label.at, at) < self.text_size / 3.0;
+        let near = |label: &&mut Label<'_>| {
+            label.ink == ink && distance(label.at, at) < self.text_size / 3.0
+        };
         match self.labels.iter_mut().find(near) {
             Some(label) if label.texts.contains(&name) => {}
-            Some(label) if label.ink == ink => label.texts.push(name),
-            _ => self.labels.push(Label { at, toward, ink, texts: vec![name] }),
+            Some(label) => label.texts.push(name),
+            None => self.labels.push(Label { at, toward, ink, texts: vec![name] }),
         }
     }
 

@@ -96,7 +96,7 @@ pub fn marks(explanation: &Explanation, unit: f32) -> Vec<Mark> {
                 Some(Place::Arrow(from, direction)) if symbol != "normal" || !tells("n") => {
                     mark(symbol, MarkShape::Arrow(from, from + unit * direction));
                 }
-                Some(Place::Along(ray, t)) if symbol != "t" => {
+                Some(Place::Along(ray, t)) if symbol != "t" && !lit => {
                     mark(symbol, MarkShape::Point(ray.at(t)));
                 }
                 Some(Place::Ray(ray, t)) if t < 1.0 => {
@@ -154,9 +154,9 @@ pub(crate) fn draw_marks(pen: &mut Pen<'_>, marks: &[Mark]) {
     for Mark { symbol, shape } in marks {
         match *shape {
             MarkShape::Point(point) if *symbol == "point" => {
-                pen.dot(point, 1.8, ink(symbol), symbol);
+                pen.dot(point, 1.1, ink(symbol), symbol);
             }
-            MarkShape::Point(point) => pen.dot(point, 1.2, ink(symbol), symbol),
+            MarkShape::Point(point) => pen.dot(point, 0.9, ink(symbol), symbol),
             MarkShape::Farther(point) => pen.dot(point, 1.2, Ink::grey(170), symbol),
             _ => {}
         }
