@@ -10,6 +10,21 @@ pub trait Camera: Sync {
     ///
     /// Positions outside [0, 1]² continue the same plane beyond the picture's edge.
     fn generate_ray(&self, u: f32, v: f32) -> Ray;
+
+    /// Where `point` is seen: the (u, v) whose viewing ray passes through it. Slide «Projeção».
+    ///
+    /// `None` where no ray does: behind the camera, in the eye itself, at a point that is not
+    /// finite; and always from a camera that does not know the way back.
+    fn project(&self, _point: Vec3) -> Option<(f32, f32)> {
+        None
+    }
+}
+
+/// The (u, v) of a point by how far it is from the middle of the window, along the window's sides.
+fn on_window(from_middle: Vec3, horizontal: Vec3, vertical: Vec3) -> Option<(f32, f32)> {
+    let u = 0.5 + from_middle.dot(horizontal) / horizontal.length_squared();
+    let v = 0.5 + from_middle.dot(vertical) / vertical.length_squared();
+    (u.is_finite() && v.is_finite()).then_some((u, v))
 }
 
 /// The smallest and largest vertical field of view, in degrees.
@@ -59,6 +74,15 @@ impl Camera for PerspectiveCamera {
         let direction = self.corner + u * self.horizontal + v * self.vertical;
         Ray::new(self.eye, direction.normalize())
     }
+
+    /// The window is at the distance 1: a point x at the depth z is seen through (x − eye) / z.
+    fn project(&self, point: Vec3) -> Option<(f32, f32)> {
+        let forward = self.vertical.cross(self.horizontal).normalize();
+        let from_eye = point - self.eye;
+        let depth = from_eye.dot(forward);
+        let seen = on_window(from_eye / depth, self.horizontal, self.vertical);
+        seen.filter(|_| depth > 0.0)
+    }
 }
 
 /// Many origins, one direction. Slide «Geração de raios - paralela».
@@ -94,5 +118,15 @@ impl Camera for OrthographicCamera {
     fn generate_ray(&self, u: f32, v: f32) -> Ray {
         let origin = self.corner + u * self.horizontal + v * self.vertical;
         Ray::new(origin, self.direction)
+    }
+
+    /// The depth does not matter: a point x is seen through x − t d on the window.
+    fn project(&self, point: Vec3) -> Option<(f32, f32)> {
+        let middle = self.corner + self.horizontal / 2.0 + self.vertical / 2.0;
+        let from_middle = point - middle;
+        let seen = on_window(from_middle, self.horizontal, self.vertical);
+        // A ray's own origin is seen, whatever rounding says.
+        let rounding = 1e-5 * (middle.length() + from_middle.length());
+        seen.filter(|_| from_middle.dot(self.direction) >= -rounding)
     }
 }

@@ -80,6 +80,11 @@ impl View {
         self.target + self.distance * direction
     }
 
+    /// What is looked at, and circled.
+    pub fn target(&self) -> Vec3 {
+        self.target
+    }
+
     /// Circles the target by these angles in degrees; the elevation stops at its ends.
     pub fn orbit(&mut self, right: f32, up: f32) {
         let turn = AZIMUTH.end() - AZIMUTH.start();

@@ -1,5 +1,7 @@
 use std::ops::Range;
 
+use super::shape::cut_line;
+
 /// A rectangle of a picture, in pixels from its top left corner; pixel (col, row) is the square
 /// from (col, row) to (col + 1, row + 1).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -103,6 +105,23 @@ impl Area {
         let left = self.left.min(outer.right() - self.width).max(outer.left);
         let top = self.top.min(outer.bottom() - self.height).max(outer.top);
         Self { left, top, ..self }
+    }
+
+    /// The part of a line that is in it; `None` where none is, or an end is not finite.
+    pub(crate) fn cut(self, from: (f32, f32), to: (f32, f32)) -> Option<((f32, f32), (f32, f32))> {
+        let wide = |(x, y): (f32, f32)| (f64::from(x), f64::from(y));
+        let narrow = |(x, y): (f64, f64)| (x as f32, y as f32);
+        let finite = [from.0, from.1, to.0, to.1].iter().all(|number| number.is_finite());
+        let ends = (wide((self.left, self.top)), wide((self.right(), self.bottom())));
+        let cut = finite.then(|| cut_line(wide(from), wide(to), ends)).flatten();
+        cut.map(|(from, to, _)| (narrow(from), narrow(to)))
+    }
+
+    /// How many square pixels of it are in `other`.
+    pub(crate) fn shared(self, other: Self) -> f32 {
+        let width = self.right().min(other.right()) - self.left.max(other.left);
+        let height = self.bottom().min(other.bottom()) - self.top.max(other.top);
+        width.max(0.0) * height.max(0.0)
     }
 
     /// Whether some of it is in `other`.

@@ -22,16 +22,20 @@ use strsim::damerau_levenshtein;
 use super::file;
 use super::progress::Progress;
 use super::window;
+use crate::Canvas;
 use crate::Comparison;
 use crate::Frame;
 use crate::Make;
+use crate::Outside;
 use crate::Pixel;
 use crate::Setting;
 use crate::SettingError;
 use crate::Setup;
+use crate::Sight;
 use crate::Size;
 use crate::View;
 use crate::check_loop;
+use crate::draw_vectors;
 use crate::side_by_side;
 
 /// The most rays a pixel are this many squared.
@@ -52,6 +56,10 @@ pub(crate) struct Job<'a> {
     pub(crate) setup: Setup,
     pub(crate) size: Size,
     pub(crate) samples: usize,
+    /// The pixel whose rays and vectors are drawn over a written picture.
+    pub(crate) pixel: Option<Pixel>,
+    /// From where the camera is seen, if it is.
+    pub(crate) onlooker: Option<View>,
 }
 
 pub(crate) fn run(program: &Program) -> ExitCode {
@@ -71,6 +79,12 @@ pub(crate) fn run(program: &Program) -> ExitCode {
     }
     let size = matches.get_one("size").copied().unwrap_or(program.size);
     let samples = matches.get_one("samples").copied().unwrap_or(1);
+    let onlooker = match onlooker(&matches, &setup) {
+        Ok(onlooker) => onlooker,
+        Err(message) => return usage(&message),
+    };
+    let output = matches.get_one::<PathBuf>("output");
+    let mut pixel = None;
     if let Some((col, row)) = matches.get_one::<(usize, usize)>("pixel").copied() {
         let (width, height) = (size.width(), size.height());
         if col >= width || row >= height {
@@ -80,11 +94,15 @@ pub(crate) fn run(program: &Program) -> ExitCode {
             ));
         }
         let camera = setup.view().camera(size.aspect());
-        let explanation = setup.step().explain(&*camera, Pixel { col, row, width, height });
-        return status(print(&explanation.to_string()).map(|()| true));
+        let pinned = Pixel { col, row, width, height };
+        let explanation = setup.step().explain(&*camera, pinned);
+        let printed = print(&explanation.to_string());
+        if output.is_none() || printed.is_err() {
+            return status(printed.map(|()| true));
+        }
+        pixel = Some(pinned);
     }
-    let job = Job { program, setup, size, samples };
-    let output = matches.get_one::<PathBuf>("output");
+    let mut job = Job { program, setup, size, samples, pixel, onlooker };
     if let Some(expected) = matches.get_one::<PathBuf>("compare") {
         if output.is_some_and(|output| file::is_same(output, expected)) {
             return usage("--output names the file to compare, which would be overwritten");
@@ -135,7 +153,14 @@ fn command(program: &Program) -> Command {
         .arg(option("camera", "KIND").value_parser(View::PROJECTIONS.map(|(name, _)| name)))
         .arg(option("set", "NAME=VALUE").action(ArgAction::Append))
         .arg(option("samples", "N").value_parser(samples))
-        .arg(option("pixel", "X,Y").value_parser(pixel).conflicts_with_all(["output", "samples"]))
+        .arg(option("pixel", "X,Y").value_parser(pixel).conflicts_with("samples"))
+        .arg(
+            Arg::new("outside")
+                .long("outside")
+                .action(ArgAction::SetTrue)
+                .requires("output")
+                .conflicts_with("compare"),
+        )
         .arg(file("compare").value_parser(PathBufValueParser::new()).conflicts_with("pixel"))
 }
 
@@ -152,6 +177,28 @@ fn first_line(error: &clap::Error) -> String {
     message.join("; ")
 }
 
+/// What the names of the onlooker's controls begin with.
+const OUTSIDE: &str = "outside.";
+
+/// From where `--outside` sees the camera, with each `--set` of it.
+fn onlooker(matches: &ArgMatches, setup: &Setup) -> Result<Option<View>, String> {
+    let mut onlooker = Outside::onlooker(setup.view());
+    for setting in matches.get_many::<String>("set").unwrap_or_default() {
+        let setting = setting.strip_prefix(OUTSIDE).and_then(|setting| setting.split_once('='));
+        let Some((name, value)) = setting else { continue };
+        let mut controls = onlooker.controls();
+        match controls.named(name) {
+            Some(control) => control.set(value).map_err(|refused| refused.to_string())?,
+            None => {
+                let names: Vec<String> =
+                    controls.iter().map(|control| format!("{OUTSIDE}{}", control.name)).collect();
+                return Err(unknown(&format!("{OUTSIDE}{name}"), &names));
+            }
+        }
+    }
+    Ok(matches.get_flag("outside").then_some(onlooker))
+}
+
 /// Applies `--camera`, then each `--set` in the order given, as if sliders were moved.
 fn set(matches: &ArgMatches, setup: &mut Setup) -> Result<(), String> {
     let camera = matches.get_one::<String>("camera").map(|kind| format!("camera={kind}"));
@@ -160,6 +207,9 @@ fn set(matches: &ArgMatches, setup: &mut Setup) -> Result<(), String> {
         let (name, value) = setting
             .split_once('=')
             .ok_or_else(|| format!("--set takes NAME=VALUE, and '{setting}' has no '='"))?;
+        if name.starts_with(OUTSIDE) {
+            continue;
+        }
         setup.set(name, value).map_err(|error| match error {
             SettingError::Unknown { name, known } => unknown(&name, &known),
             SettingError::Refused(refused) => refused.to_string(),
@@ -195,7 +245,10 @@ Options:
       --camera KIND       {}
       --set NAME=VALUE    set a control, as its slider would; repeatable, applied in order
       --samples N         N×N rays a pixel (1; at most {MAX_SAMPLES})
-      --pixel X,Y         print that pixel's equations with their numbers; no picture
+      --pixel X,Y         print that pixel's equations with their numbers; with -o, write the
+                          picture with its rays and vectors
+      --outside           with -o, write the camera as it is seen from outside; --set also takes
+                          outside.azimuth, outside.elevation and outside.distance
       --compare FILE      render, say how far FILE is from it and where; exit 1 if they differ;
                           with -o, write expected, found and difference side by side
   -h, --help              this text
@@ -217,11 +270,12 @@ Controls (default):
 
 impl Job<'_> {
     /// Writes the picture to the file `path`.
-    fn write(&self, path: &Path) -> Result<()> {
-        let Self { program, size, .. } = self;
+    fn write(&mut self, path: &Path) -> Result<()> {
+        let Self { program, size, .. } = *self;
         file::remove_unfinished_on_signal()?;
         file::check_destination(path)?;
-        let (picture, time) = self.render();
+        let (mut picture, time) = self.render();
+        self.draw(&mut picture);
         file::save_png(&picture, path)?;
         report(program, &format!("{size} rendered in {time} ms, written to {}", path.display()));
         Ok(())
@@ -253,10 +307,34 @@ impl Job<'_> {
         Ok(comparison.is_equal())
     }
 
+    /// Draws over the picture the pinned pixel's rays and vectors, and the camera where it is seen
+    /// from outside.
+    fn draw(&mut self, picture: &mut RgbImage) {
+        if self.pixel.is_none() && self.onlooker.is_none() {
+            return;
+        }
+        let mut handles = self.setup.points();
+        handles.retain(|handle| handle.name != "center");
+        let (view, step) = (self.setup.view(), self.setup.step());
+        let camera = view.camera(self.size.aspect());
+        let explanation = self.pixel.map(|pixel| step.explain(&*camera, pixel));
+        let mut canvas = Canvas::new(picture);
+        let area = canvas.area();
+        let text_size = (area.height / 30.0).clamp(11.0, 40.0);
+        if let Some(onlooker) = &self.onlooker {
+            let outside = Outside { step, view, onlooker, area };
+            outside.draw(&mut canvas, explanation.as_ref(), &handles, text_size);
+        } else {
+            let sight = Sight { step, camera: &*camera, area };
+            draw_vectors(&mut canvas, sight, explanation.as_ref(), &handles, text_size);
+        }
+    }
+
     /// The picture, and how many milliseconds its pixels took.
     fn render(&self) -> (RgbImage, String) {
         let Self { size, samples, .. } = *self;
-        let camera = self.setup.view().camera(size.aspect());
+        let view = self.onlooker.as_ref().unwrap_or(self.setup.view());
+        let camera = view.camera(size.aspect());
         let frame = Frame { step: self.setup.step(), camera: &*camera, size, samples };
         let progress = Progress::new(size.height());
         let picture = frame.render_parallel(|rows| progress.add(rows));

@@ -1,0 +1,201 @@
+//! Lines and labels in the world, drawn on a picture of it.
+
+use crate::Anchor;
+use crate::Area;
+use crate::Canvas;
+use crate::Font;
+use crate::Ink;
+use crate::Sight;
+use crate::Vec3;
+use crate::sight::distance;
+
+/// What is under every line, so that it is seen on any picture.
+const UNDER: Ink = Ink::BLACK.with_alpha(120);
+
+/// How much of a hidden line is seen.
+const HIDDEN: u8 = 150;
+
+struct Label<'a> {
+    at: (f32, f32),
+    /// Where it is put if there is room, as seen from `at`.
+    toward: (f32, f32),
+    ink: Ink,
+    texts: Vec<&'a str>,
+}
+
+/// Draws what is in the world where a [`Sight`] sees it, dashed and faint where something hides it.
+/// Labels are written last, where there is room.
+pub(crate) struct Pen<'a> {
+    canvas: Canvas<'a>,
+    pub(crate) sight: Sight<'a>,
+    text_size: f32,
+    labels: Vec<Label<'a>>,
+}
+
+impl<'a> Pen<'a> {
+    pub(crate) fn new(canvas: &'a mut Canvas<'_>, sight: Sight<'a>, text_size: f32) -> Self {
+        Self { canvas: canvas.clipped(sight.area), sight, text_size, labels: Vec::new() }
+    }
+
+    pub(crate) fn canvas(&mut self) -> &mut Canvas<'a> {
+        &mut self.canvas
+    }
+
+    /// The width of a line as wide as a letter's.
+    pub(crate) fn width(&self) -> f32 {
+        (self.text_size / 7.0).max(1.5)
+    }
+
+    /// A line that is not worth a look at what hides it.
+    pub(crate) fn thin(&mut self, from: Vec3, to: Vec3, ink: Ink) {
+        let Some((from, to)) = self.sight.in_front(from, to) else { return };
+        if let Some((from, to)) = self.sight.at(from).zip(self.sight.at(to)) {
+            self.canvas.line(from, to, 1.0, ink);
+        }
+    }
+
+    pub(crate) fn line(&mut self, from: Vec3, to: Vec3, width: f32, ink: Ink) {
+        for stroke in self.sight.strokes(from, to) {
+            if stroke.hidden {
+                let faint = ink.with_alpha((u16::from(HIDDEN) * u16::from(ink.alpha) / 255) as u8);
+                self.canvas.dashed(stroke.from, stroke.to, 0.8 * width, faint);
+            } else {
+                let under = UNDER.with_alpha(UNDER.alpha.min(ink.alpha));
+                self.canvas.line(stroke.from, stroke.to, width + 2.0, under);
+                self.canvas.line(stroke.from, stroke.to, width, ink);
+            }
+        }
+    }
+
+    /// An arrow with its name at the tip; one that is seen end on is a ring.
+    pub(crate) fn arrow(&mut self, from: Vec3, to: Vec3, ink: Ink, name: &'a str) {
+        let Some((start, end)) = self.sight.in_front(from, to) else { return };
+        let Some((start, tip)) = self.sight.at(start).zip(self.sight.at(end)) else { return };
+        let width = self.width();
+        let length = distance(start, tip);
+        let head = 4.0 * width + 3.0;
+        let (x, y) = ((tip.0 - start.0) / length, (tip.1 - start.1) / length);
+        if end != to {
+            self.line(from, to, width, ink);
+        } else if length <= head {
+            self.canvas.arrow(start, tip, width, ink);
+        } else {
+            // The head covers the end of the shaft.
+            let shaft = from.lerp(to, 1.0 - 0.5 * head / length);
+            self.line(from, shaft, width, ink);
+            let alpha = if self.sight.is_hidden(to) { HIDDEN } else { 255 };
+            let neck = (tip.0 - head * x, tip.1 - head * y);
+            if alpha == 255 {
+                let beyond = (tip.0 + 2.0 * x, tip.1 + 2.0 * y);
+                self.canvas.arrow(neck, beyond, width + 0.8, UNDER);
+            }
+            self.canvas.arrow(neck, tip, width, ink.with_alpha(alpha));
+        }
+        let toward = if length > 2.0 * width { (x, y) } else { (0.7, 0.7) };
+        self.label_toward(tip, toward, ink, name);
+    }
+
+    /// A dot with an edge, and its name beside it.
+    pub(crate) fn dot(&mut self, point: Vec3, radius: f32, ink: Ink, name: &'a str) {
+        let Some(at) = self.sight.at(point) else { return };
+        let radius = radius * self.width();
+        if self.sight.is_hidden(point) {
+            self.canvas.ring(at, radius, 3.5, UNDER);
+            self.canvas.ring(at, radius, 1.5, ink.with_alpha(HIDDEN));
+        } else {
+            self.canvas.disc(at, radius + 1.5, ink.opposite());
+            self.canvas.disc(at, radius, ink);
+        }
+        self.label_toward(at, (0.7, 0.7), ink, name);
+    }
+
+    /// A translucent triangle, its name in the middle.
+    pub(crate) fn area(&mut self, [a, b, c]: [Vec3; 3], ink: Ink, name: &'a str) {
+        let edges = [(a, b), (b, c), (c, a)].map(|(from, to)| self.sight.in_front(from, to));
+        let mut corners: Vec<(f32, f32)> = Vec::new();
+        for corner in edges.into_iter().flatten().flat_map(|(from, to)| [from, to]) {
+            match self.sight.at(corner) {
+                Some(at) if corners.last() != Some(&at) => corners.push(at),
+                _ => {}
+            }
+        }
+        for at in 2..corners.len() {
+            let triangle = [corners[0], corners[at - 1], corners[at]];
+            self.canvas.triangle(triangle, ink.with_alpha(110));
+        }
+        if let Some(middle) = self.sight.at((a + b + c) / 3.0) {
+            self.label_toward(middle, (0.0, 0.0), ink, name);
+        }
+    }
+
+    pub(crate) fn label(&mut self, at: Vec3, ink: Ink, name: &'a str) {
+        if let Some(at) = self.sight.at(at) {
+            self.label_toward(at, (0.0, -1.0), ink, name);
+        }
+    }
+
+    /// Names that are at the same place are written one after the other.
+    pub(crate) fn label_toward(
+        &mut self, at: (f32, f32), toward: (f32, f32), ink: Ink, name: &'a str,
+    ) {
+        if name.is_empty() || !self.sight.area.contains(at) {
+            return;
+        }
+        let near = |label: &&mut Label<'_>| {
+            label.ink == ink && distance(label.at, at) < self.text_size / 3.0
+        };
+        match self.labels.iter_mut().find(near) {
+            Some(label) if label.texts.contains(&name) => {}
+            Some(label) => label.texts.push(name),
+            None => self.labels.push(Label { at, toward, ink, texts: vec![name] }),
+        }
+    }
+
+    /// Writes the labels.
+    pub(crate) fn finish(mut self) {
+        let gap = 0.45 * self.text_size;
+        let around = [
+            (0.7, -0.7),
+            (0.7, 0.7),
+            (-0.7, 0.7),
+            (-0.7, -0.7),
+            (1.0, 0.0),
+            (-1.0, 0.0),
+            (0.0, 1.0),
+            (0.0, -1.0),
+        ];
+        let dot = |at| Area::anchored(at, Anchor::Center, gap, gap);
+        let mut taken: Vec<Area> = self.labels.iter().map(|label| dot(label.at)).collect();
+        for label in &self.labels {
+            let text = label.texts.join(", ");
+            let place = |(x, y): (f32, f32), gap: f32| {
+                let area = Font::area(label.at, Anchor::Center, self.text_size, &text);
+                let across = (gap + area.width / 2.0) * x;
+                let down = (gap + 0.4 * area.height) * y;
+                let area = Area { left: area.left + across, top: area.top + down, ..area };
+                area.moved_into(self.sight.area)
+            };
+            let far = [gap, 3.0 * gap, 6.0 * gap];
+            let places = far.into_iter().flat_map(|gap| {
+                let directions = std::iter::once(label.toward).chain(around);
+                directions.map(move |direction| place(direction, gap))
+            });
+            let covered = |area: &Area| taken.iter().map(|other| area.shared(*other)).sum::<f32>();
+            let mut best: Option<(f32, Area)> = None;
+            for area in places {
+                let cost = covered(&area);
+                if best.is_none_or(|(least, _)| cost < least) {
+                    best = Some((cost, area));
+                }
+                if cost == 0.0 {
+                    break;
+                }
+            }
+            if let Some((_, area)) = best {
+                let at = area.at(Anchor::Center);
+                self.canvas.label(at, Anchor::Center, self.text_size, label.ink, &text);
+                taken.push(area);
+            }
+        }
+    }
+}
