@@ -5,8 +5,8 @@ const TEXTS = {
   en: {
     title: "Ray tracing in seven steps", steps: "Steps", picture: "Picture", tools: "Tools",
     drag: "The picture. Arrow keys turn the camera, plus and minus zoom, Enter pins the middle, Shift and arrow keys move the pin.",
-    keys: "Drag to turn, wheel or pinch to zoom, click a pixel to explain it. Keys: arrows, + and −, Enter, Shift+arrows, B, D, Page Up and Page Down.",
-    divider: "Divider: left the step before, right this one", hold: "Hold: step before", divide: "Divider",
+    keys: "Drag to turn, wheel or pinch to zoom, click a pixel to explain it. Keys: arrows, + and −, Enter, Shift+arrows, B, D, V, H, O, Page Up and Page Down.",
+    divider: "Divider: left the step before, right this one", hold: "Hold: step before", divide: "Divider", vectors: "Vectors", handles: "Handles", outside: "From outside", symbols: "Symbols", formula: "Equation",
     unpin: "Unpin", reset: "Reset all", link: "Copy link", command: "Copy command", save: "Save PNG",
     controls: "Controls", pixel: "The pixel", unpinned: "Click a pixel of the picture: here its equations appear with their numbers.",
     diff: "What is new in the code", camera: "camera", resetOne: "Reset", numbersOf: "Numbers of",
@@ -18,8 +18,8 @@ const TEXTS = {
   "pt-BR": {
     title: "Ray tracing em sete passos", steps: "Passos", picture: "Imagem", tools: "Ferramentas",
     drag: "A imagem. As setas giram a câmera, mais e menos aproximam, Enter fixa o meio, Shift e setas movem o pixel fixado.",
-    keys: "Arraste para girar, roda ou pinça para aproximar, clique num pixel para explicá-lo. Teclas: setas, + e −, Enter, Shift+setas, B, D, Page Up e Page Down.",
-    divider: "Divisória: à esquerda o passo anterior, à direita este", hold: "Segure: passo anterior", divide: "Divisória",
+    keys: "Arraste para girar, roda ou pinça para aproximar, clique num pixel para explicá-lo. Teclas: setas, + e −, Enter, Shift+setas, B, D, V, H, O, Page Up e Page Down.",
+    divider: "Divisória: à esquerda o passo anterior, à direita este", hold: "Segure: passo anterior", divide: "Divisória", vectors: "Vetores", handles: "Alças", outside: "De fora", symbols: "Símbolos", formula: "Equação",
     unpin: "Soltar pixel", reset: "Tudo como no início", link: "Copiar link", command: "Copiar comando", save: "Salvar PNG",
     controls: "Controles", pixel: "O pixel", unpinned: "Clique num pixel da imagem: aqui aparecem as suas equações com os números.",
     diff: "O que há de novo no código", camera: "câmera", resetOne: "Como no início:", numbersOf: "Números de",
@@ -45,11 +45,14 @@ const text = (key) => TEXTS[language][key];
 /** What runs a command in the steps' program; also within a worker, which knows nothing else of here. */
 function runner(instance) {
   const { memory, page_input, page_run, page_output } = instance.exports;
-  return (command) => {
-    const bytes = new TextEncoder().encode(command);
+  return (command, rgb) => {
+    const bytes = new TextEncoder().encode(rgb ? `${command}\n` : command);
+    const whole = bytes.length + (rgb ? rgb.length : 0);
     // The memory may grow: its buffer is asked for afterwards.
-    const input = page_input(bytes.length);
-    new Uint8Array(memory.buffer, input, bytes.length).set(bytes);
+    const input = page_input(whole);
+    const place = new Uint8Array(memory.buffer, input, whole);
+    place.set(bytes);
+    if (rgb) place.set(rgb, bytes.length);
     const length = page_run();
     const answer = new Uint8Array(memory.buffer, page_output(), Math.abs(length)).slice();
     if (length < 0) throw new Error(new TextDecoder().decode(answer));
@@ -130,6 +133,7 @@ const layers = () => (showsBefore() ? ["now", "before"] : ["now"]);
 /** Something has changed: draw it, at first with fewer pixels if it goes on changing. */
 function redraw() {
   wanted = true;
+  document.body.dataset.drawn = "";
   if (!drawing) draw(moving);
   else if (!frames.quick) draw(moving);
   explain();
@@ -145,13 +149,13 @@ function draw(quick) {
   drawing = true;
   started = performance.now();
   frame += 1;
-  frames = { quick: part < 1, width, height, left: 0, layers: shown, rgba: {} };
+  frames = { quick: part < 1, width, height, left: 0, layers: shown, rgb: {} };
   bands = [];
   const count = Math.max(1, Math.round(BAND_PIXELS / width));
   for (let first = 0; first < height; first += count)
     for (const layer of shown)
       bands.push({ frame, layer, width, height, first, count: Math.min(count, height - first) });
-  for (const layer of shown) frames.rgba[layer] = new Uint8ClampedArray(4 * width * height).fill(255);
+  for (const layer of shown) frames.rgb[layer] = new Uint8Array(3 * width * height);
   frames.left = bands.length;
   pump();
 }
@@ -179,26 +183,34 @@ function alone() { port2.postMessage(0); }
 
 function finished({ frame: number, layer, width, first, rgb }) {
   if (number !== frame) return;
-  const rgba = frames.rgba[layer];
-  for (let from = 0, to = 4 * width * first; from < rgb.length; from += 3, to += 4) {
-    rgba[to] = rgb[from];
-    rgba[to + 1] = rgb[from + 1];
-    rgba[to + 2] = rgb[from + 2];
-  }
+  frames.rgb[layer].set(rgb, 3 * width * first);
   frames.left -= 1;
   if (frames.left) return;
   drawing = false;
-  const { height, quick } = frames;
+  const { width: cols, height: rows, quick } = frames;
   const spent = performance.now() - started;
-  cost = 0.5 * cost + 0.5 * spent / (width * height * frames.layers.length);
-  for (const shown of frames.layers) {
-    const canvas = $(shown);
-    if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
-    canvas.getContext("2d").putImageData(new ImageData(frames.rgba[shown], width, height), 0, 0);
-  }
+  cost = 0.5 * cost + 0.5 * spent / (cols * rows * frames.layers.length);
+  show();
   if (wanted) requestAnimationFrame(() => wanted && draw(moving));
   else if (quick) { clearTimeout(settle); settle = setTimeout(() => { moving = false; draw(false); }, 80); }
   document.body.dataset.drawn = quick || wanted ? "" : `${frame} ${Math.round(spent)}`;
+}
+
+/** Puts the frame on the canvas, with what is drawn over it. */
+function show() {
+  const { width, height } = frames;
+  const drawn = (pin && vectors) || handles || outside;
+  const [cols, rows] = drawn ? size : [width, height];
+  // As high as the letters beside the picture, and no larger than the picture can hold.
+  const scale = size[0] / Math.max(1, $("picture").clientWidth);
+  const letters = Math.max(8, Math.min(size[1] / 12, 15 * scale));
+  const marks = `${letters} ${pin ? pin.join(",") : "-"} ${Number(vectors)} ${Number(handles)}`;
+  for (const layer of frames.layers) {
+    const canvas = $(layer);
+    const rgba = run(`show ${layer} ${cols} ${rows} ${width} ${height} ${drawn ? marks : "8 - 0 0"}`, frames.rgb[layer]);
+    if (canvas.width !== cols || canvas.height !== rows) [canvas.width, canvas.height] = [cols, rows];
+    canvas.getContext("2d").putImageData(new ImageData(new Uint8ClampedArray(rgba.buffer), cols, rows), 0, 0);
+  }
 }
 
 /** A change by hand, of which more may follow at once. */
@@ -214,6 +226,9 @@ let state = null;
 let pin = null;
 let divided = false;
 let held = false;
+let vectors = true;
+let handles = false;
+let outside = false;
 
 const showsBefore = () => (divided || held) && state && state.step > 1;
 
@@ -241,7 +256,8 @@ function open(address) {
   change(`open ${step}`);
   pin = null;
   size = SIZE;
-  divided = false;
+  divided = handles = outside = false;
+  vectors = true;
   let place = null;
   for (const setting of settings) {
     const [key, value = ""] = setting.split(/=(.*)/s);
@@ -254,7 +270,10 @@ function open(address) {
       const at = Number(value);
       divided = value !== "" && at >= 0 && at <= 1 && step > 1;
       if (divided) $("divider").value = at;
-    } else {
+    } else if (key === "vectors") vectors = value !== "off";
+    else if (key === "handles") handles = value === "on";
+    else if (key === "outside") change(`outside ${value === "on" ? "on" : "off"}`);
+    else {
       try { change(`set ${key.replace(/\s/g, "_")} ${value.replace(/\s/g, "_")}`); } catch (error) { wrong.push(error.message.slice(0, 200)); }
     }
   }
@@ -273,6 +292,8 @@ function address() {
   const parts = [`step${String(state.step).padStart(2, "0")}`, ...state.changes];
   if (size !== SIZE) parts.push(`size=${size.join("x")}`);
   if (pin) parts.push(`pixel=${pin.join(",")}`);
+  if (!vectors) parts.push("vectors=off");
+  if (handles) parts.push("handles=on");
   if (divided) parts.push(`divide=${$("divider").value}`);
   return "#" + parts.map((part) => encodeURIComponent(part).replace(/%(3D|2C)/g, decodeURIComponent)).join("&");
 }
@@ -295,9 +316,9 @@ function read() {
     else if (kind === "command") read.command = rest[0];
     else if (kind === "change") read.changes.push(rest[0]);
     else {
-      const [name, group, axis, value, fraction, takes, options, changed] = rest;
+      const [name, group, value, fraction, takes, options, changed] = rest;
       read.settings.push({
-        name, group, axis, value, fraction: Number(fraction), takes,
+        name, group, value, fraction: Number(fraction), takes,
         options: options ? options.split("|") : [], changed: changed === "1",
       });
     }
@@ -309,12 +330,16 @@ function read() {
 function refresh() {
   const before = state && state.step;
   state = read();
+  outside = state.changes.includes("outside=on");
   if (state.step !== before) showStep();
   showControls();
   showStage();
   redraw();
   writeAddress();
 }
+
+/** The equation of each step, which stands below the picture. */
+const formulas = {};
 
 function showStep() {
   const number = String(state.step).padStart(2, "0");
@@ -324,6 +349,8 @@ function showStep() {
   }
   for (const article of document.querySelectorAll("article")) article.hidden = article.id !== `handout${number}`;
   const heading = $(`handout${number}`).querySelector("h2").textContent;
+  formulas[state.step] = formulas[state.step] || $(`handout${number}`).querySelector(".equation");
+  $("formula").replaceChildren(formulas[state.step]);
   document.title = `${heading} · ${text("title")}`;
   $("now").setAttribute("aria-label", heading);
 }
@@ -332,11 +359,13 @@ function showStage() {
   const both = showsBefore();
   $("hold").disabled = $("divide").disabled = state.step === 1;
   $("divide").setAttribute("aria-pressed", String(divided));
+  for (const [name, on] of Object.entries({ vectors, handles, outside })) $(name).setAttribute("aria-pressed", String(on));
   $("divider").hidden = !divided || state.step === 1;
   $("before").hidden = !both;
   const share = held ? 1 : Number($("divider").value);
   $("before").style.clipPath = `inset(0 ${100 * (1 - share)}% 0 0)`;
-  $("pin").hidden = $("unpin").hidden = !pin;
+  $("unpin").hidden = !pin;
+  $("pin").hidden = !pin || vectors || outside;
   if (pin) {
     $("pin").style.left = `${100 * (pin[0] + 0.5) / size[0]}%`;
     $("pin").style.top = `${100 * (pin[1] + 0.5) / size[1]}%`;
@@ -431,17 +460,61 @@ const folds = new Map();
 function explain() {
   $("unpinned").hidden = Boolean(pin);
   $("pinned").textContent = pin ? `${text("pinnedAt")} (${pin.join(", ")})` : text("pixel");
-  if (!pin) { told = null; $("explanation").replaceChildren(); return; }
-  const parts = lines(`explain ${size.join(" ")} ${pin.join(" ")}`);
+  if (!pin) { told = null; $("explanation").replaceChildren(); fillEquation([]); return; }
+  const parts = lines(`explain ${size.join(" ")} ${pin.join(",")}`);
   const now = JSON.stringify(parts.map(([kind, name, more]) => [kind, name, kind === "group" ? more : ""]));
   if (now !== told) { told = now; makeExplanation(parts); }
   const places = $("explanation").querySelectorAll("[data-value]");
   let place = 0;
   for (const [kind, ...rest] of parts) {
     if (kind === "section" || (kind === "group" && !rest[0])) continue;
-    const shown = kind === "line" ? rest.slice(2) : kind === "seen" ? rest : rest.slice(2);
+    const shown = kind === "line" ? rest.slice(3) : kind === "seen" ? rest : rest.slice(2);
     places[place++].textContent = kind === "group" ? shown[0] : shown.map((number) => number.padEnd(9)).join(" ").trimEnd();
   }
+  fillEquation(parts);
+}
+
+/** The light or object whose numbers stand in the equation, if there are several. */
+let numbersOf = "";
+
+/** Puts the pixel's numbers under the symbols of the step's equation. */
+function fillEquation(parts) {
+  const places = [...$("formula").querySelectorAll("[data-symbol]")];
+  const symbols = new Set(places.flatMap((place) => place.dataset.symbol.split("|")));
+  // Of each symbol what is told last counts, but of several lights or objects the chosen one.
+  const told = new Map();
+  const groups = new Map();
+  let group = "", section = 0;
+  for (const [kind, ...rest] of parts) {
+    if (kind === "section") { section += 1; group = ""; }
+    else if (kind === "group") group = rest[1] === "1" ? rest[0] : null;
+    if (kind !== "line" || group === null) continue;
+    const [, names, , ...numbers] = rest;
+    const parts = names.replace(/^\(|\)$/g, "").split(", ");
+    const each = parts.length === numbers.length && parts.length > 1 && !parts.some((part) => part.includes(" "));
+    (each ? parts : [names]).forEach((name, place) => {
+      if (!symbols.has(name)) return;
+      const value = each ? [numbers[place]] : numbers;
+      if (group && group !== "sum" && section > 2) {
+        if (!groups.has(group)) groups.set(group, new Map());
+        groups.get(group).set(name, value);
+      } else told.set(name, value);
+    });
+  }
+  const names = [...groups.keys()];
+  if (!names.includes(numbersOf)) numbersOf = names[0] || "";
+  for (const [name, value] of groups.get(numbersOf) || []) told.set(name, value);
+  for (const place of places) {
+    const value = place.dataset.symbol.split("|").map((name) => told.get(name)).find((value) => value);
+    place.textContent = value ? value.map((number) => Number(number) || Number(number) === 0 ? String(Number(Number(number).toPrecision(4))).replace("-", "−") : number).join("\n") : "";
+  }
+  $("numbers").hidden = names.length < 2;
+  const choice = $("numbers").querySelector("select");
+  if (JSON.stringify(names) !== choice.dataset.names) {
+    choice.dataset.names = JSON.stringify(names);
+    choice.replaceChildren(...names.map((name) => element("option", { textContent: name })));
+  }
+  choice.value = numbersOf;
 }
 
 function makeExplanation(parts) {
@@ -461,7 +534,7 @@ function makeExplanation(parts) {
     made.dataset.value = "";
     return made;
   };
-  for (const [kind, name, more] of parts) {
+  for (const [kind, name, more, ink] of parts) {
     if (kind === "section") {
       path = name;
       top.push(section = group = fold(name, name, true));
@@ -473,7 +546,12 @@ function makeExplanation(parts) {
     } else {
       if (kind === "seen") { list = null; group = section = element("div", {}); top.push(group); }
       if (!list) group.append(list = element("dl", { className: "lines" }));
-      list.append(element("dt", {}, kind === "seen" ? text("seen") : name), value("dd"));
+      const symbol = element("dt", {}, kind === "seen" ? text("seen") : name);
+      if (kind === "line" && ink) {
+        symbol.className = "inked";
+        symbol.style.setProperty("--ink", ink);
+      }
+      list.append(element("div", {}, symbol, value("dd")));
     }
   }
   $("explanation").replaceChildren(...top);
@@ -483,12 +561,23 @@ function makeExplanation(parts) {
 
 const pointers = new Map();
 let dragged = 0;
+/** The handle that is held. */
+let grabbed = "";
 
-function place(event) {
+/** Where a pointer is on the picture, as shares of its width and height, from the upper left. */
+function share(event) {
   const box = $("picture").getBoundingClientRect();
-  const at = (offset, side, count) => Math.min(count - 1, Math.max(0, Math.floor(offset / side * count)));
-  return [at(event.clientX - box.left, box.width, size[0]), at(event.clientY - box.top, box.height, size[1])];
+  return [(event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height];
 }
+
+function grab(event) {
+  if (!handles) return "";
+  const [x, y] = share(event);
+  const reach = (event.pointerType === "mouse" ? 14 : 28) * size[0] / $("picture").clientWidth;
+  return new TextDecoder().decode(run(`grab ${size.join(" ")} ${x * size[0]} ${y * size[1]} ${reach}`));
+}
+
+const place = (event) => share(event).map((at, axis) => Math.min(size[axis] - 1, Math.max(0, Math.floor(at * size[axis]))));
 
 const spread = () => {
   const [a, b] = [...pointers.values()];
@@ -503,8 +592,8 @@ function hands() {
     if (event.button) return;
     picture.setPointerCapture(event.pointerId);
     pointers.set(event.pointerId, event);
-    if (pointers.size === 1) dragged = 0;
-    else dragged = Infinity;
+    if (pointers.size === 1) { dragged = 0; grabbed = grab(event); }
+    else { dragged = Infinity; grabbed = ""; }
     picture.classList.add("grabbed");
   });
   picture.addEventListener("pointermove", (event) => {
@@ -515,7 +604,10 @@ function hands() {
     const [right, down] = [event.clientX - last.clientX, event.clientY - last.clientY];
     dragged += Math.abs(right) + Math.abs(down);
     if (before) moved(`zoom ${before / spread()}`);
-    else if (pointers.size === 1 && dragged > 4) {
+    else if (grabbed) {
+      const [x, y] = share(event);
+      moved(`drag ${size.join(" ")} ${grabbed} ${x} ${1 - y}`);
+    } else if (pointers.size === 1 && dragged > 4) {
       // Across the picture is half a turn, on any screen.
       const angle = 180 / picture.clientWidth;
       turn(-right * angle, down * angle);
@@ -524,7 +616,7 @@ function hands() {
   const up = (event) => {
     if (!pointers.delete(event.pointerId) || pointers.size) return;
     picture.classList.remove("grabbed");
-    if (event.type === "pointerup" && dragged <= 4) { pin = place(event); refresh(); }
+    if (event.type === "pointerup" && dragged <= 4 && !grabbed && !outside) { pin = place(event); refresh(); }
   };
   picture.addEventListener("pointerup", up);
   picture.addEventListener("pointercancel", up);
@@ -547,6 +639,9 @@ function hands() {
   });
 }
 
+/** The letters over the picture are as high as those beside it, however wide it is. */
+new ResizeObserver(() => { if (run && !drawing && frames.rgb) show(); }).observe($("picture"));
+
 function hold(down) {
   if (held === down || (down && state.step === 1)) return;
   held = down;
@@ -562,6 +657,16 @@ function go(step) {
   refresh();
 }
 
+/** What writes what is shown into a file. */
+function command() {
+  let command = state.command;
+  if (size !== SIZE) command += ` --size ${size.join("x")}`;
+  if (outside) command += " --outside" + state.changes.filter((change) => change.startsWith("outside.")).map((change) => ` --set ${change}`).join("");
+  if (pin) command += ` --pixel ${pin.join(",")}`;
+  if (outside || pin) command += ` -o ${state.name}.png`;
+  return command.replace(/ --$/, "");
+}
+
 async function copy(what) {
   try { await navigator.clipboard.writeText(what); } catch { /* It is shown, and can be copied by hand. */ }
   notice(`${text("copied")} ${what}`);
@@ -575,11 +680,15 @@ function buttons() {
   button.addEventListener("keyup", () => hold(false));
   button.addEventListener("contextmenu", (event) => event.preventDefault());
   $("divide").onclick = () => { divided = !divided && state.step > 1; refresh(); };
+  $("vectors").onclick = () => { vectors = !vectors; refresh(); };
+  $("handles").onclick = () => { handles = !handles; refresh(); };
+  $("outside").onclick = () => { change(`outside ${outside ? "off" : "on"}`); refresh(); };
+  $("numbers").querySelector("select").onchange = (event) => { numbersOf = event.target.value; explain(); };
   $("divider").oninput = () => { showStage(); writeAddress(); };
   $("unpin").onclick = () => { pin = null; refresh(); };
   $("reset").onclick = () => moved("reset");
   $("link").onclick = () => copy(location.href.split("#")[0] + address());
-  $("command").onclick = () => copy(state.command + (pin ? `${state.command.includes(" -- ") ? "" : " --"} --pixel ${pin.join(",")}` : ""));
+  $("command").onclick = () => copy(command());
   $("save").onclick = () => {
     const link = element("a", { href: $("now").toDataURL("image/png"), download: `${state.name}.png` });
     link.click();
@@ -592,6 +701,9 @@ function buttons() {
     else if (/^[1-7]$/.test(event.key)) go(Number(event.key));
     else if (event.key === "b") hold(true);
     else if (event.key === "d") $("divide").click();
+    else if (event.key === "v") $("vectors").click();
+    else if (event.key === "h") $("handles").click();
+    else if (event.key === "o") $("outside").click();
     else if (event.key === "Escape" && pin) $("unpin").click();
     else return;
     event.preventDefault();
@@ -626,7 +738,8 @@ start().then(() => {
   hands();
   buttons();
   open(location.hash);
-}).catch(() => {
+}).catch((error) => {
+  console.warn(error);
   notice(text("broken"));
   document.documentElement.classList.add("broken");
 });

@@ -6,18 +6,21 @@ use pulldown_latex::Storage;
 use pulldown_latex::config::DisplayMode;
 use pulldown_latex::push_mathml;
 
-/// What stands in an equation, and the symbol under which a step tells its value. Of two that begin
-/// alike the longer one is first.
-const SYMBOLS: [(&str, &str); 27] = [
+use crate::handout::escape;
+
+/// What stands in an equation, and the symbol under which a step tells its value, or several of
+/// which it tells one. Of two that begin alike the longer one is first.
+const SYMBOLS: [(&str, &str); 22] = [
     (r"\max(0, \mathbf{n}\cdot\mathbf{h}_i)^{p}", "max(0, cos α)^p"),
     (r"\mathbf{n}\cdot\mathbf{l}_i", "n·l"),
     (r"\mathbf{n}\cdot\mathbf{l}", "n·l"),
+    (r"\mathbf{v}_r\cdot\mathbf{v}", "cos α"),
     (r"\frac{I_i}{r_i^2}", "I/r²"),
     (r"\frac{I}{r^2}", "I/r²"),
     (r"\mathbf{p}", "p"),
     (r"\mathbf{d}", "d"),
-    (r"\mathbf{v}_r\cdot\mathbf{v}", "cos α"),
-    (r"\mathbf{r}(t)", "point"),
+    (r"b^2 - a c", "discriminant"),
+    (r"t^{\ast}", "t_max"),
     (r"\alpha", "α"),
     (r"\beta", "β"),
     (r"\gamma", "γ"),
@@ -28,33 +31,78 @@ const SYMBOLS: [(&str, &str); 27] = [
     ("I_a", "I_a"),
     ("L_d", "L_d"),
     ("L", "L"),
-    ("a", "a"),
-    ("b", "b"),
-    ("c", "c"),
-    ("t", "t"),
     ("u", "u"),
     ("v", "v"),
-    (r"\Delta", "Δ"),
-    (r"t^{\ast}", "t_max"),
 ];
 
-/// LaTeX as MathML; what cannot be read stays LaTeX. In a `block` each symbol that a step tells has
-/// an empty `<mtext data-symbol>` under it, once.
-pub(crate) fn mathml(latex: &str, block: bool) -> String {
-    let mut marked = latex.to_owned();
-    if block {
-        marked = with_places(latex);
-    }
-    let storage = Storage::new();
-    let display_mode = if block { DisplayMode::Block } else { DisplayMode::Inline };
-    let mut html = String::new();
-    let config = RenderConfig { display_mode, ..RenderConfig::default() };
-    if push_mathml(&mut html, Parser::new(&marked, &storage), config).is_err() {
-        return format!("<code>{}</code>", crate::handout::escape(latex));
-    }
-    html
+/// An equation in a line of text.
+pub(crate) fn inline(latex: &str) -> String {
+    mathml(latex, DisplayMode::Inline)
 }
 
+/// Equations below each other, or beside each other where there is room. Under each symbol that a
+/// step tells is an empty `<span data-symbol>`, where the symbol first stands.
+pub(crate) fn block(latex: &str) -> String {
+    let mut html = String::from("<div class=\"math\" tabindex=\"0\" role=\"group\">");
+    for equation in with_places(latex).split(r"\qquad") {
+        html.push_str(&mathml(equation, DisplayMode::Block));
+    }
+    for (place, (_, symbol)) in SYMBOLS.iter().enumerate() {
+        let span = format!("<mtext><span data-symbol=\"{}\"></span></mtext>", escape(symbol));
+        html = html.replace(&format!("<mtext>@{place}@</mtext>"), &span);
+    }
+    html + "</div>"
+}
+
+/// LaTeX as MathML; what cannot be read stays LaTeX.
+fn mathml(latex: &str, display_mode: DisplayMode) -> String {
+    let storage = Storage::new();
+    let config = RenderConfig { display_mode, ..RenderConfig::default() };
+    let mut html = String::new();
+    match push_mathml(&mut html, Parser::new(latex, &storage), config) {
+        Ok(()) => html,
+        Err(_) => format!("<code>{}</code>", escape(latex)),
+    }
+}
+
+/// Puts `@PLACE@` under the first of each of [`SYMBOLS`].
 fn with_places(latex: &str) -> String {
-    latex.to_owned()
+    // d is a viewing ray's where p is, else another's.
+    let viewing = latex.contains(r"\mathbf{p}");
+    let mut seen = SYMBOLS.map(|(symbol, _)| symbol == r"\mathbf{d}" && !viewing);
+    let mut marked = String::new();
+    let mut rest = latex;
+    while let Some(first) = rest.chars().next() {
+        let letter = |letter: char| letter.is_ascii_alphabetic();
+        let found = SYMBOLS.iter().position(|(symbol, _)| {
+            let after = rest.strip_prefix(symbol).map(|after| after.chars().next());
+            after.is_some_and(|next| !next.is_some_and(|next| letter(next) || next == '_'))
+        });
+        let whole = match found {
+            Some(place) if !std::mem::replace(&mut seen[place], true) => {
+                let symbol = SYMBOLS[place].0;
+                marked.push_str(&format!(r"\underset{{\text{{@{place}@}}}}{{{symbol}}}"));
+                rest = &rest[symbol.len()..];
+                continue;
+            }
+            Some(place) => SYMBOLS[place].0.len(),
+            // Nothing within a word, a command, an index or a name is a symbol.
+            None if first == '\\' => {
+                let word = rest[1..].find(|next| !letter(next)).map_or(rest.len(), |end| end + 1);
+                let named = [r"\text{", r"\mathrm{", r"\mathbf{", r"\begin{", r"\end{"];
+                match named.iter().any(|name| rest.starts_with(name)) {
+                    true => rest.find('}').map_or(rest.len(), |end| end + 1),
+                    false => word.max(2).min(rest.len()),
+                }
+            }
+            None if first == '_' || first == '^' => match rest[1..].starts_with('{') {
+                true => rest.find('}').map_or(rest.len(), |end| end + 1),
+                false => rest.len().min(1),
+            },
+            None => first.len_utf8(),
+        };
+        marked.push_str(&rest[..whole]);
+        rest = &rest[whole..];
+    }
+    marked
 }

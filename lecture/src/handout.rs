@@ -68,9 +68,15 @@ pub(crate) fn read(folder: &Path, name: &str) -> Result<Handout> {
     Ok(handout)
 }
 
-fn finish(handout: &mut Handout, heading: Option<String>, part: Vec<Event<'_>>, name: &str) {
+fn finish(handout: &mut Handout, heading: Option<String>, mut part: Vec<Event<'_>>, name: &str) {
     if heading.as_ref().is_some_and(|heading| SHOWN_ALREADY.contains(&heading.as_str())) {
         return;
+    }
+    // The way to the other steps is the page's own.
+    let is_way = |event: &Event<'_>| matches!(event, Event::Start(Tag::Link { dest_url, .. }) if &**dest_url == "../README.md");
+    if let Some(way) = part.iter().position(is_way) {
+        let end = part[way..].iter().position(|event| *event == Event::End(TagEnd::Paragraph));
+        part.drain(way..way + end.unwrap_or(0));
     }
     let mut text = String::new();
     html::push_html(&mut text, on_the_page(part, name).into_iter());
@@ -92,10 +98,10 @@ fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str) -> Vec<Event<'a>> {
             Event::End(TagEnd::Image) => image = false,
             _ if image => {}
             Event::DisplayMath(latex) => {
-                events.push(Event::InlineHtml(equation::mathml(&latex, true).into()));
+                events.push(Event::InlineHtml(equation::block(&latex).into()));
             }
             Event::InlineMath(latex) => {
-                events.push(Event::InlineHtml(equation::mathml(&latex, false).into()));
+                events.push(Event::InlineHtml(equation::inline(&latex).into()));
             }
             Event::Code(code) => match address(&code) {
                 Some(address) => {
@@ -171,8 +177,7 @@ pub(crate) fn difference(text: &str) -> String {
     let mut html = String::new();
     for file in text.split("diff --git ").skip(1) {
         let name = file.split_once("+++ b/").and_then(|(_, rest)| rest.lines().next());
-        let changes: Vec<&str> =
-            file.lines().skip_while(|line| !line.starts_with("@@")).collect();
+        let changes: Vec<&str> = file.lines().skip_while(|line| !line.starts_with("@@")).collect();
         let count = |sign| changes.iter().filter(|line| line.starts_with(sign)).count();
         let (new, gone) = (count('+'), count('-'));
         let name = escape(name.unwrap_or("/dev/null"));

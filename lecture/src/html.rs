@@ -60,10 +60,16 @@ pub(crate) fn page() -> Result<String> {
                 _ => ("more", ""),
             };
             let heading = escape(&section.heading);
+            // The symbols are folded, so that the equation has room beside the picture.
+            let html = match section.html.split_once("<table>") {
+                Some((equation, table)) if class == "equation" => format!(
+                    "{equation}<details><summary data-text=\"symbols\">Symbols</summary><table>{table}</details>"
+                ),
+                _ => section.html.clone(),
+            };
             let _ = writeln!(
                 articles,
-                "<details class=\"{class}\"{open}><summary><h3>{heading}</h3></summary>{}</details>",
-                section.html
+                "<details class=\"{class}\"{open}><summary><h3>{heading}</h3></summary>{html}</details>"
             );
         }
         let difference = root.join("tests/diffs").join(program.name).with_extension("diff");
@@ -114,7 +120,9 @@ fn build(root: &Path) -> Result<PathBuf> {
     }
     let built = build.stderr(std::process::Stdio::inherit()).output().context("cargo")?;
     if !built.status.success() {
-        bail!("the steps do not build for a browser; if {TARGET} is missing: rustup target add {TARGET}");
+        bail!(
+            "the steps do not build for a browser; if {TARGET} is missing: rustup target add {TARGET}"
+        );
     }
     let messages = String::from_utf8_lossy(&built.stdout);
     let file = messages.split('"').filter(|word| word.ends_with("lecture.wasm")).next_back();

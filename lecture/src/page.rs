@@ -2,15 +2,27 @@ use std::fmt::Write as _;
 use std::rc::Rc;
 use std::str::FromStr;
 
+use common::Area;
+use common::Canvas;
 use common::Explanation;
 use common::Frame;
+use common::Handle;
 use common::Make;
 use common::Outcome;
+use common::Outside;
 use common::Pixel;
 use common::Setting;
 use common::Setup;
+use common::Sight;
 use common::Size;
 use common::Value;
+use common::View;
+use common::drag;
+use common::draw_vectors;
+use common::encode;
+use common::handle_at;
+use common::symbol_ink;
+use image::RgbImage;
 
 use crate::PROGRAMS;
 
@@ -24,17 +36,22 @@ pub struct Page {
     setup: Setup,
     /// The step before, with the same changes; none before the first.
     before: Option<Setup>,
+    /// From where the camera is seen from outside, if it is.
+    onlooker: Option<View>,
 }
 
 impl Default for Page {
     /// The first step, as it starts.
     fn default() -> Self {
-        Self { step: 0, setup: Setup::new(make(0)), before: None }
+        Self { step: 0, setup: Setup::new(make(0)), before: None, onlooker: None }
     }
 }
 
 /// The most pixels of a picture on the page.
 const MAX_PIXELS: usize = 4_000_000;
+
+/// What the names of the onlooker's controls begin with.
+const OUTSIDE: &str = "outside.";
 
 fn make(step: usize) -> Make {
     Rc::new(PROGRAMS[step].make)
@@ -53,6 +70,11 @@ impl<'a> Words<'a> {
         word.parse().map_err(|_| format!("'{word}' is not a number that can be used here"))
     }
 
+    fn finite(&mut self) -> Result<f32, String> {
+        let number: f32 = self.number()?;
+        if number.is_finite() { Ok(number) } else { Err(format!("{number} is no number to go by")) }
+    }
+
     fn size(&mut self) -> Result<Size, String> {
         let size = Size::new(self.number()?, self.number()?).map_err(|error| error.to_string())?;
         match size.width() * size.height() {
@@ -64,7 +86,7 @@ impl<'a> Words<'a> {
     fn step(&mut self) -> Result<usize, String> {
         let number: usize = self.number()?;
         match number {
-            1..=7 => Ok(number - 1),
+            1.. if number <= PROGRAMS.len() => Ok(number - 1),
             _ => Err(format!("there is no step {number}; there are 1 to {}", PROGRAMS.len())),
         }
     }
@@ -81,21 +103,31 @@ impl Page {
     /// | `fraction NAME F` | moves a slider to F of its range |
     /// | `nudge NAME STEPS` | moves a slider as a key does |
     /// | `reset NAME`, `reset` | gives one control or all of them their first value back |
-    /// | `orbit RIGHT UP`, `zoom FACTOR` | moves the camera |
+    /// | `orbit RIGHT UP`, `zoom FACTOR` | moves the camera, or the onlooker if there is one |
+    /// | `outside on\|off` | sees the camera from outside, or as it is; `set outside.azimuth 20` |
+    /// | `drag WIDTH HEIGHT PLACE U V` | moves the handle that `grab` named to (u, v) |
     /// | `state` | the step, its controls, what is changed, and the program's command |
+    /// | `explain WIDTH HEIGHT COL,ROW` | how that pixel comes by its colour |
+    /// | `grab WIDTH HEIGHT X Y REACH` | the handle that is there, if one is |
     /// | `rows now\|before WIDTH HEIGHT FIRST COUNT` | rows of the picture, three bytes a pixel |
-    /// | `explain WIDTH HEIGHT COL ROW` | how that pixel comes by its colour |
+    /// | `show now\|before WIDTH HEIGHT COLS ROWS TEXT PIXEL VECTORS HANDLES`, the picture's bytes below | that picture with COLS × ROWS pixels made WIDTH × HEIGHT, and what is drawn over it: four bytes a pixel |
+    ///
+    /// In `show`, TEXT is the letters' height in pixels, PIXEL `COL,ROW` or `-`, and the last two
+    /// are 1 or 0.
     ///
     /// # Errors
     ///
     /// When it cannot be done: why, in one line. Then nothing changes.
     pub fn answer(&mut self, command: &[u8]) -> Result<Vec<u8>, String> {
-        let line = str::from_utf8(command).map_err(|_| "a command is text".to_owned())?;
+        let end = command.iter().position(|byte| *byte == b'\n').unwrap_or(command.len());
+        let (line, bytes) = command.split_at(end);
+        let line = str::from_utf8(line).map_err(|_| "a command is text".to_owned())?;
         let mut words = Words(line.split_whitespace());
         match words.word()? {
             "open" => {
                 self.step = words.step()?;
                 self.setup = Setup::new(make(self.step));
+                self.onlooker = None;
             }
             "step" => {
                 self.step = words.step()?;
@@ -103,7 +135,7 @@ impl Page {
             }
             "set" => {
                 let (name, value) = (words.word()?, words.word()?);
-                self.setup.set(name, value).map_err(|error| error.to_string())?;
+                self.set(name, value)?;
             }
             "fraction" => self.setup.set_fraction(words.word()?, words.number()?),
             "nudge" => self.setup.nudge(words.word()?, words.number()?),
@@ -111,69 +143,187 @@ impl Page {
                 Ok(name) => self.setup.reset(name),
                 Err(_) => self.setup.reset_all(),
             },
-            "orbit" => self.setup.orbit(words.number()?, words.number()?),
-            "zoom" => self.setup.zoom(words.number()?),
+            "orbit" => {
+                let (right, up) = (words.finite()?, words.finite()?);
+                match &mut self.onlooker {
+                    Some(onlooker) => onlooker.orbit(right, up),
+                    None => self.setup.orbit(right, up),
+                }
+            }
+            "zoom" => {
+                let factor = words.finite()?;
+                match &mut self.onlooker {
+                    Some(onlooker) => onlooker.zoom(factor),
+                    None => self.setup.zoom(factor),
+                }
+            }
+            "outside" => {
+                let on = words.word()? == "on";
+                self.onlooker = on.then(|| Outside::onlooker(self.setup.view()));
+            }
+            "drag" => {
+                let (size, place) = (words.size()?, words.number::<usize>()?);
+                let (u, v) = (words.finite()?, words.finite()?);
+                let points = self.setup.points();
+                let handle = points.get(place).ok_or("there is no such handle")?;
+                let camera = self.seen_from(&self.setup).camera(size.aspect());
+                self.setup.move_point(handle, drag(&*camera, handle.position, (u, v)));
+            }
             "state" => return Ok(self.state().into_bytes()),
-            "rows" => return self.rows(&mut words),
             "explain" => return Ok(self.explain(&mut words)?.into_bytes()),
+            "grab" => return self.grab(&mut words),
+            "rows" => return self.rows(&mut words),
+            "show" => return self.show(&mut words, bytes.get(1..).unwrap_or_default()),
             other => return Err(format!("there is no command '{other}'")),
         }
         self.before = self.step.checked_sub(1).map(|before| self.setup.carried_to(make(before)));
         Ok(Vec::new())
     }
 
+    fn set(&mut self, name: &str, value: &str) -> Result<(), String> {
+        let Some(name) = name.strip_prefix(OUTSIDE) else {
+            return self.setup.set(name, value).map_err(|error| error.to_string());
+        };
+        let onlooker = self.onlooker.get_or_insert_with(|| Outside::onlooker(self.setup.view()));
+        match onlooker.controls().named(name) {
+            Some(control) => control.set(value).map_err(|refused| refused.to_string()),
+            None => Err(format!("there is no control '{OUTSIDE}{name}'")),
+        }
+    }
+
+    /// What is changed, as it stands in an address.
+    fn changes(&self) -> Vec<String> {
+        let mut changes = self.setup.settings();
+        if let Some(onlooker) = &self.onlooker {
+            changes.push("outside=on".to_owned());
+            let (mut start, mut onlooker) =
+                (Outside::onlooker(self.setup.view()), onlooker.clone());
+            for (start, control) in start.controls().iter().zip(onlooker.controls().iter()) {
+                if start.exact() != control.exact() {
+                    changes.push(format!("{OUTSIDE}{}={}", control.name, control.exact()));
+                }
+            }
+        }
+        changes
+    }
+
     fn state(&mut self) -> String {
         let name = PROGRAMS[self.step].name;
-        let settings = self.setup.settings();
-        let mut text = format!("step\t{}\t{name}\ncommand\tcargo run -p {name}", self.step + 1);
-        for (place, setting) in settings.iter().enumerate() {
-            let flags = if place == 0 { " -- --set" } else { " --set" };
-            let _ = write!(text, "{flags} {setting}");
+        let mut text = format!("step\t{}\t{name}\ncommand\tcargo run -p {name} --", self.step + 1);
+        for setting in self.setup.settings() {
+            let _ = write!(text, " --set {setting}");
         }
         text.push('\n');
-        for setting in settings {
-            let _ = writeln!(text, "change\t{setting}");
+        for change in self.changes() {
+            let _ = writeln!(text, "change\t{change}");
         }
         for setting in self.setup.list() {
-            let Setting { name, group, axis, text: value, fraction, takes, options, changed } =
+            let Setting { name, group, text: value, fraction, takes, options, changed, .. } =
                 setting;
-            let axis = axis.map_or("", |(point, _)| point);
             let (options, changed) = (options.join("|"), u8::from(changed));
             let _ = writeln!(
                 text,
-                "setting\t{name}\t{group}\t{axis}\t{value}\t{fraction}\t{takes}\t{options}\t{changed}"
+                "setting\t{name}\t{group}\t{value}\t{fraction}\t{takes}\t{options}\t{changed}"
             );
         }
         text
     }
 
+    /// The step now or the one before.
+    fn layer(&self, words: &mut Words<'_>) -> Result<&Setup, String> {
+        match words.word()? {
+            "now" => Ok(&self.setup),
+            "before" => self.before.as_ref().ok_or("there is no step before the first".to_owned()),
+            other => Err(format!("'{other}' is neither now nor before")),
+        }
+    }
+
+    /// From where a picture of `setup` is taken.
+    fn seen_from<'a>(&'a self, setup: &'a Setup) -> &'a View {
+        self.onlooker.as_ref().unwrap_or(setup.view())
+    }
+
     fn rows(&self, words: &mut Words<'_>) -> Result<Vec<u8>, String> {
-        let setup = match words.word()? {
-            "now" => &self.setup,
-            _ => self.before.as_ref().ok_or("there is no step before the first")?,
-        };
+        let setup = self.layer(words)?;
         let size = words.size()?;
         let (first, count): (usize, usize) = (words.number()?, words.number()?);
         if first.checked_add(count).is_none_or(|end| end > size.height()) {
             return Err(format!("there are no {count} rows from {first} on in a {size} picture"));
         }
-        let camera = setup.view().camera(size.aspect());
+        let camera = self.seen_from(setup).camera(size.aspect());
         let mut rgb = vec![0; 3 * size.width() * count];
         Frame { step: setup.step(), camera: &*camera, size, samples: 1 }
             .render_rows(first, &mut rgb);
         Ok(rgb)
     }
 
+    /// The points that can be dragged; the same ones for now and before, as far as both have them.
+    fn grab(&mut self, words: &mut Words<'_>) -> Result<Vec<u8>, String> {
+        let size = words.size()?;
+        let (x, y, reach) = (words.finite()?, words.finite()?, words.finite()?);
+        let handles = self.setup.points();
+        let camera = self.seen_from(&self.setup).camera(size.aspect());
+        let sight = Sight { step: self.setup.step(), camera: &*camera, area: area(size) };
+        let place = handle_at(&sight, &handles, (x, y), reach);
+        Ok(place.map_or(String::new(), |place| place.to_string()).into_bytes())
+    }
+
+    fn show(&mut self, words: &mut Words<'_>, rgb: &[u8]) -> Result<Vec<u8>, String> {
+        let handles = self.setup.points();
+        let setup = self.layer(words)?;
+        let (size, drawn) = (words.size()?, words.size()?);
+        let text_size: f32 = words.finite()?;
+        let pixel = match words.word()? {
+            "-" => None,
+            pixel => Some(pixel_of(pixel, size)?),
+        };
+        let (vectors, handles_too) = (words.word()? == "1", words.word()? == "1");
+        let (cols, rows) = (drawn.width() as u32, drawn.height() as u32);
+        let mut picture = RgbImage::from_raw(cols, rows, rgb.to_vec())
+            .filter(|_| rgb.len() == 3 * drawn.width() * drawn.height())
+            .ok_or_else(|| format!("these are not the bytes of a {drawn} picture"))?;
+        if size != drawn {
+            let mut larger = RgbImage::new(size.width() as u32, size.height() as u32);
+            Canvas::new(&mut larger).picture(&picture, area(size));
+            picture = larger;
+        }
+        let (view, step) = (setup.view(), setup.step());
+        let camera = view.camera(size.aspect());
+        let explanation = pixel.filter(|_| vectors).map(|pixel| step.explain(&*camera, pixel));
+        let handles: &[Handle] = if handles_too { &handles } else { &[] };
+        let mut canvas = Canvas::new(&mut picture);
+        if let Some(onlooker) = &self.onlooker {
+            let outside = Outside { step, view, onlooker, area: area(size) };
+            outside.draw(&mut canvas, explanation.as_ref(), handles, text_size);
+        } else if explanation.is_some() || handles_too {
+            let sight = Sight { step, camera: &*camera, area: area(size) };
+            draw_vectors(&mut canvas, sight, explanation.as_ref(), handles, text_size);
+        }
+        Ok(picture.pixels().flat_map(|pixel| [pixel[0], pixel[1], pixel[2], 255]).collect())
+    }
+
     fn explain(&self, words: &mut Words<'_>) -> Result<String, String> {
         let size = words.size()?;
-        let (col, row): (usize, usize) = (words.number()?, words.number()?);
-        let (width, height) = (size.width(), size.height());
-        if col >= width || row >= height {
-            return Err(format!("there is no pixel {col},{row} in a {size} picture"));
-        }
+        let pixel = pixel_of(words.word()?, size)?;
         let camera = self.setup.view().camera(size.aspect());
-        let explanation = self.setup.step().explain(&*camera, Pixel { col, row, width, height });
+        let explanation = self.setup.step().explain(&*camera, pixel);
         Ok(lines(&explanation))
+    }
+}
+
+fn area(size: Size) -> Area {
+    let (width, height) = (size.width() as f32, size.height() as f32);
+    Area { left: 0.0, top: 0.0, width, height }
+}
+
+/// The pixel `COL,ROW` of a picture of this size.
+fn pixel_of(text: &str, size: Size) -> Result<Pixel, String> {
+    let (width, height) = (size.width(), size.height());
+    let numbers =
+        text.split_once(',').and_then(|(col, row)| Some((col.parse().ok()?, row.parse().ok()?)));
+    match numbers {
+        Some((col, row)) if col < width && row < height => Ok(Pixel { col, row, width, height }),
+        _ => Err(format!("there is no pixel {text} in a {size} picture")),
     }
 }
 
@@ -195,11 +345,15 @@ fn lines(explanation: &Explanation) -> String {
             let _ = writeln!(text, "group\t{}\t{open}\t{outcome}", group.name);
             for line in &group.lines {
                 let (symbol, value) = (line.symbol(), texts(&line.value));
-                let _ = writeln!(text, "line\t{}\t{symbol}\t{value}", line.equation);
+                let ink = symbol_ink(symbol).map_or(String::new(), |ink| {
+                    let [r, g, b] = ink.rgb;
+                    format!("#{r:02x}{g:02x}{b:02x}")
+                });
+                let _ = writeln!(text, "line\t{}\t{symbol}\t{ink}\t{value}", line.equation);
             }
         }
     }
-    let [r, g, b] = common::encode(explanation.color);
+    let [r, g, b] = encode(explanation.color);
     let _ = writeln!(text, "seen\t{r}\t{g}\t{b}");
     text
 }
