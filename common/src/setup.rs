@@ -346,22 +346,28 @@ impl Setup {
             }
         }
         for kind in kinds {
-            let last = self.chosen.iter().find(|of| of.0 == kind).map(|of| of.1);
+            // At the start the first is chosen, so its changes need no choice before them.
+            let first = self.first(kind);
+            let last = self.chosen.iter().find(|of| of.0 == kind).map(|of| of.1).or(first);
             let mut owners: Vec<&str> = Vec::new();
-            for (other, which) in self.changes.iter().filter_map(|change| change.of) {
-                if other == kind && !owners.contains(&which) && Some(which) != last {
+            let changed = self.changes.iter().filter_map(|change| change.of);
+            for which in changed.filter(|of| of.0 == kind).map(|of| of.1) {
+                if !owners.contains(&which) {
                     owners.push(which);
                 }
             }
-            owners.extend(last);
+            owners.sort_by_key(|which| (Some(*which) != first, Some(*which) == last));
+            let mut chosen = first;
             for which in owners {
-                settings.push(format!("{kind}={}", first_word(which)));
+                if Some(which) != chosen {
+                    settings.push(format!("{kind}={}", first_word(which)));
+                    chosen = Some(which);
+                }
                 let its = self.changes.iter().filter(|change| change.of == Some((kind, which)));
                 settings.extend(its.map(setting));
             }
-            if last.is_none() {
-                settings
-                    .extend(self.first(kind).map(|which| format!("{kind}={}", first_word(which))));
+            if let Some(last) = last.filter(|_| chosen != last) {
+                settings.push(format!("{kind}={}", first_word(last)));
             }
         }
         settings

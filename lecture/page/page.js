@@ -668,8 +668,8 @@ function command() {
 }
 
 async function copy(what) {
-  try { await navigator.clipboard.writeText(what); } catch { /* It is shown, and can be copied by hand. */ }
   notice(`${text("copied")} ${what}`);
+  try { await navigator.clipboard.writeText(what); } catch { /* It is shown, and can be copied by hand. */ }
 }
 
 function buttons() {

@@ -184,11 +184,14 @@ impl Page {
         let Some(name) = name.strip_prefix(OUTSIDE) else {
             return self.setup.set(name, value).map_err(|error| error.to_string());
         };
-        let onlooker = self.onlooker.get_or_insert_with(|| Outside::onlooker(self.setup.view()));
+        let start = || Outside::onlooker(self.setup.view());
+        let mut onlooker = self.onlooker.clone().unwrap_or_else(start);
         match onlooker.controls().named(name) {
-            Some(control) => control.set(value).map_err(|refused| refused.to_string()),
-            None => Err(format!("there is no control '{OUTSIDE}{name}'")),
+            Some(control) => control.set(value).map_err(|refused| refused.to_string())?,
+            None => return Err(format!("there is no control '{OUTSIDE}{name}'")),
         }
+        self.onlooker = Some(onlooker);
+        Ok(())
     }
 
     /// What is changed, as it stands in an address.
