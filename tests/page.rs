@@ -273,7 +273,7 @@ fn a_link_shows_the_same_again() {
     browser.wait_for(DRAWN);
     assert!(seen(&browser) == before, "{link} shows something else");
     let command = browser.text("$('command').click(); return $('notice').textContent");
-    assert!(command.contains("cargo run -p step06_shadows -- --set epsilon=0"), "{command}");
+    assert!(["cargo run -p step06_shadows -- --set ", " --set epsilon=0 --set sphere=blue --set radius=0.86 --outside "].iter().all(|part| command.contains(part)), "{command}");
     quiet(&browser);
 }
 

@@ -34,7 +34,7 @@ const STEPS = 7;
 const SIZE = [960, 540];
 const LONGEST_ADDRESS = 4000;
 /** A picture that takes longer than this is drawn with fewer pixels while something is dragged. */
-const DRAGGED_MS = 30;
+const DRAGGED_MS = 22;
 const BAND_PIXELS = 18 * 960;
 
 const $ = (id) => document.getElementById(id);
@@ -191,7 +191,7 @@ function finished({ frame: number, layer, width, first, rgb }) {
   const spent = performance.now() - started;
   cost = 0.5 * cost + 0.5 * spent / (cols * rows * frames.layers.length);
   show();
-  if (wanted) requestAnimationFrame(() => wanted && draw(moving));
+  if (wanted) draw(moving);
   else if (quick) { clearTimeout(settle); settle = setTimeout(() => { moving = false; draw(false); }, 80); }
   document.body.dataset.drawn = quick || wanted ? "" : `${frame} ${Math.round(spent)}`;
 }

@@ -7,6 +7,7 @@ use std::io::Write as _;
 use std::path::Path;
 use std::path::PathBuf;
 use std::process::Command;
+use std::process::Stdio;
 
 use anyhow::Context;
 use anyhow::Result;
@@ -108,23 +109,37 @@ fn filled(template: &str, parts: &[(&str, &str)]) -> String {
 }
 
 /// Builds all steps for a browser: the file that they are in.
+///
+/// What `WASM` names, if it is set, is given cargo and its arguments to run: a machine without
+/// rustup has its own way to that target.
 fn build(root: &Path) -> Result<PathBuf> {
     let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let flags = format!("CARGO_TARGET_{}_RUSTFLAGS", TARGET.to_uppercase().replace('-', "_"));
-    let mut build = Command::new(cargo);
+    let mut build = match env::var_os("WASM") {
+        Some(helper) => {
+            let mut build = Command::new(helper);
+            build.arg(cargo);
+            build
+        }
+        None if has_target() => Command::new(cargo),
+        None => bail!("Rust cannot build for a browser yet: rustup target add {TARGET}"),
+    };
     build.current_dir(root).args(["rustc", "--quiet", "-p", "lecture", "--lib"]);
     build.args(["--no-default-features", "--crate-type", "cdylib", "--profile", "page"]);
     build.args(["--target", TARGET, "--message-format", "json-render-diagnostics"]);
-    if env::var_os(&flags).is_none() {
-        build.env(flags, FLAGS);
-    }
-    let built = build.stderr(std::process::Stdio::inherit()).output().context("cargo")?;
+    build.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", FLAGS);
+    let built = build.stderr(Stdio::inherit()).output().context("cargo does not run")?;
     if !built.status.success() {
-        bail!(
-            "the steps do not build for a browser; if {TARGET} is missing: rustup target add {TARGET}"
-        );
+        bail!("the steps do not build for a browser");
     }
     let messages = String::from_utf8_lossy(&built.stdout);
     let file = messages.split('"').filter(|word| word.ends_with("lecture.wasm")).next_back();
     Ok(PathBuf::from(file.context("cargo does not say what it built")?))
+}
+
+/// Whether Rust's standard library for a browser is there.
+fn has_target() -> bool {
+    let rustc = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    let folder =
+        Command::new(rustc).args(["--print", "target-libdir", "--target", TARGET]).output();
+    folder.is_ok_and(|folder| Path::new(String::from_utf8_lossy(&folder.stdout).trim()).exists())
 }

@@ -45,7 +45,8 @@ fn main() -> ExitCode {
         }
         Err(error) => {
             let text = error.to_string();
-            let line = text.lines().next().unwrap_or_default().trim_start_matches("error: ");
+            let line = text.lines().next().unwrap_or_default();
+            let line = line.trim_start_matches("error: ").trim_end_matches(':');
             eprintln!("lecture: {line}; it takes --page FILE");
             ExitCode::from(2)
         }
