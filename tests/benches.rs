@@ -6,19 +6,20 @@
 use common::Color;
 use common::Frame;
 use common::Ray;
+use common::Silent;
 use common::Size;
 use common::Vec3;
 use common::encode;
 use divan::Bencher;
 use divan::black_box;
 use step07_specular::intersection::IntersectionRecord;
-use step07_specular::intersection::Surface;
 use step07_specular::light::PointLight;
 use step07_specular::material::Material;
 use step07_specular::scene::Object;
 use step07_specular::scene::Scene;
 use step07_specular::scene::lecture_scene;
 use step07_specular::sphere::Sphere;
+use step07_specular::surface::Surface;
 use step07_specular::triangle::Triangle;
 use tests::STEPS;
 
@@ -59,7 +60,7 @@ fn trace(bencher: Bencher<'_, '_>, scene: &Scene) {
     let rays: Vec<Ray> = (0..32 * 32)
         .map(|index| camera.generate_ray((index % 32) as f32 / 31.0, (index / 32) as f32 / 31.0))
         .collect();
-    let trace = |ray: &Ray| scene.trace(ray, 0.0, f32::INFINITY);
+    let trace = |ray: &Ray| scene.trace(ray, 0.0, f32::INFINITY, &mut Silent);
     bencher.bench_local(|| black_box(&rays).iter().map(trace).sum::<Color>());
 }
 
@@ -67,15 +68,15 @@ fn trace(bencher: Bencher<'_, '_>, scene: &Scene) {
 #[divan::bench(args = [10, 100, 1000, 10_000], sample_count = 10)]
 fn spheres(bencher: Bencher<'_, '_>, count: usize) {
     let mut scene = lecture_scene();
-    let red = scene.spheres[0].clone();
+    let red = scene.objects[0].clone();
     let side = (count as f32).sqrt();
-    scene.spheres = (0..count)
-        .map(|index| {
-            let (x, z) = (index as f32 % side / side, index as f32 / count as f32);
-            let center = Vec3::new(6.0 * x - 3.0, 0.5, 4.0 * z - 2.0);
-            Object { surface: Sphere { center, radius: 1.0 / side }, ..red.clone() }
-        })
-        .collect();
+    scene.objects.retain(|object| matches!(object.surface, Surface::Triangle(_)));
+    let spheres = (0..count).map(|index| {
+        let (x, z) = (index as f32 % side / side, index as f32 / count as f32);
+        let center = Vec3::new(6.0 * x - 3.0, 0.5, 4.0 * z - 2.0);
+        Object { surface: Surface::Sphere(Sphere { center, radius: 1.0 / side }), ..red.clone() }
+    });
+    scene.objects.splice(0..0, spheres);
     trace(bencher, &scene);
 }
 
@@ -86,7 +87,7 @@ fn lights(bencher: Bencher<'_, '_>, count: usize) {
     let around = |index| {
         let angle = index as f32 / count as f32 * std::f32::consts::TAU;
         let position = Vec3::new(6.0 * angle.sin(), 6.0, 6.0 * angle.cos());
-        PointLight { position, intensity: 60.0 / count as f32, attenuation: true }
+        PointLight { name: "light", position, intensity: 60.0 / count as f32, attenuation: true }
     };
     scene.lights = (0..count).map(around).collect();
     scene.lit = count;
@@ -100,22 +101,27 @@ fn ray() -> Ray {
 #[divan::bench]
 fn sphere_hit(bencher: Bencher<'_, '_>) {
     let sphere = Sphere { center: Vec3::ZERO, radius: 1.0 };
-    bencher.bench_local(|| black_box(&sphere).intersect(black_box(&ray()), 0.0, f32::INFINITY));
+    bencher.bench_local(|| {
+        black_box(&sphere).intersect(black_box(&ray()), 0.0, f32::INFINITY, &mut Silent)
+    });
 }
 
 #[divan::bench]
 fn triangle_hit(bencher: Bencher<'_, '_>) {
     let triangle = Triangle::new([Vec3::NEG_ONE, Vec3::X, Vec3::Y]);
-    bencher.bench_local(|| black_box(&triangle).intersect(black_box(&ray()), 0.0, f32::INFINITY));
+    bencher.bench_local(|| {
+        black_box(&triangle).intersect(black_box(&ray()), 0.0, f32::INFINITY, &mut Silent)
+    });
 }
 
 #[divan::bench]
 fn shade(bencher: Bencher<'_, '_>) {
     let (k_a, k_d) = (Color::splat(0.1), Color::splat(0.5));
-    let material = Material { k_a, k_d, k_s: 0.5, exponent: 100.0 };
+    let material = Material { k_a, k_d, k_s: 0.5, exponent: 100.0, phong: false };
     let record = IntersectionRecord { t: 2.0, point: Vec3::Z, normal: Vec3::Z };
-    let light = PointLight { position: Vec3::splat(3.0), intensity: 20.0, attenuation: true };
-    let shade = |record| black_box(&material).shade(&ray(), record, black_box(&light), false);
+    let position = Vec3::splat(3.0);
+    let light = PointLight { name: "light", position, intensity: 20.0, attenuation: true };
+    let shade = |record| black_box(&material).shade(&ray(), record, black_box(&light), &mut Silent);
     bencher.bench_local(|| shade(black_box(&record)));
 }
 

@@ -2,14 +2,20 @@
 
 use common::Camera;
 use common::Color;
+use common::Controls;
+use common::Explanation;
 use common::Frame;
 use common::Image;
 use common::OrthographicCamera;
 use common::PerspectiveCamera;
+use common::Pixel;
+use common::Projection;
 use common::Ray;
 use common::Size;
+use common::Step;
 use common::Vec3;
 use common::View;
+use common::check_loop;
 use common::encode;
 use tests::checks;
 use tests::colors;
@@ -122,7 +128,7 @@ fn a_view_shows_the_target_in_the_middle_however_it_is_turned() {
         (view.azimuth, view.elevation) = (azimuth, elevation);
         let why = format!("azimuth {azimuth}, elevation {elevation}, 6 units away");
         near("the viewpoint", view.eye(), TARGET + 6.0 * direction, &why);
-        for projection in 0..View::PROJECTIONS.len() {
+        for (_, projection) in View::PROJECTIONS {
             view.projection = projection;
             let center = ray_at(&*view.camera(1.5), (0.0, 0.0));
             near("d at the centre", center.direction, -direction, &why);
@@ -131,19 +137,80 @@ fn a_view_shows_the_target_in_the_middle_however_it_is_turned() {
 }
 
 #[test]
-fn a_parallel_view_shows_as_much_at_the_target_as_perspective() {
-    for aspect in ASPECTS {
-        let mut view = View::new(EYE, TARGET, 38.0);
-        let perspective = view.camera(aspect);
-        view.projection = 1;
-        let parallel = view.camera(aspect);
-        for place in PLACES {
-            let [expected, found] = [&perspective, &parallel].map(|camera| {
-                let ray = ray_at(&**camera, place);
-                ray.at((TARGET.z - ray.origin.z) / ray.direction.z)
-            });
-            near("the point in the target's plane", found, expected, "both show the same there");
+fn a_view_that_was_not_moved_keeps_its_viewpoint_to_the_last_digit() {
+    // Angles and a distance would give back most of these rounded.
+    for step in 0..100 {
+        let part = step as f32 / 7.0;
+        let (eye, target) = (Vec3::new(part.sin(), 2.4, 7.0 + part), Vec3::new(0.2, part, -0.1));
+        let mut view = View::new(eye, target, 38.0);
+        assert_eq!(view.eye(), eye, "nothing was moved, seen towards {target}");
+        let azimuth = view.azimuth;
+        view.orbit(360.0, 0.0);
+        // Ten units away, and the last bit of 180° is 1.5 · 10⁻⁵°.
+        assert_near("the viewpoint", view.eye(), eye, 2e-5, "a whole turn ends where it began");
+        view.azimuth = azimuth;
+        assert_eq!(view.eye(), eye, "put back where it was, seen towards {target}");
+    }
+}
+
+#[test]
+fn a_view_turns_round_and_stops_over_the_poles() {
+    let mut view = View::new(EYE, TARGET, 38.0);
+    for (turn, azimuth) in
+        [(170.0, 170.0), (20.0, -170.0), (-20.0, 170.0), (700.0, 150.0), (-1000.0, -130.0)]
+    {
+        view.orbit(turn, 0.0);
+        near(
+            "the azimuth",
+            view.azimuth,
+            azimuth,
+            "from −180° to 180°, whichever way it is turned",
+        );
+    }
+    for (up, elevation) in [(50.0, 50.0), (50.0, 89.0), (-10.0, 79.0), (-500.0, -89.0)] {
+        view.orbit(0.0, up);
+        near("the elevation", view.elevation, elevation, "it stops short of the poles");
+    }
+    for (factor, distance) in [(2.0, 8.0), (1e3, 100.0), (0.5, 50.0), (1e-9, 0.1), (3.0, 0.3)] {
+        view.zoom(factor);
+        near("the distance", view.distance, distance, "it stops at the ends of its range");
+    }
+}
+
+#[test]
+fn both_cameras_show_the_same_height_at_the_target() {
+    for angle in [-40.0, 0.0, 0.5, 1.0, 38.0, 120.0, 170.0, 175.0, 1e9] {
+        for aspect in ASPECTS {
+            let mut view = View::new(EYE, TARGET, angle);
+            let perspective = view.camera(aspect);
+            view.projection = Projection::Parallel;
+            let parallel = view.camera(aspect);
+            for place in PLACES {
+                let [expected, found] = [&perspective, &parallel].map(|camera| {
+                    let ray = ray_at(&**camera, place);
+                    ray.at((TARGET.z - ray.origin.z) / ray.direction.z)
+                });
+                // At 170° the window is 46 units high, and seen at 0.09 of its rays' lengths.
+                let off = found.difference(expected) / expected.length().max(1.0);
+                near("the part by which they differ", off, 0.0, &format!("fov {angle}, {place:?}"));
+            }
         }
+    }
+}
+
+#[test]
+fn an_up_along_the_line_of_sight_is_replaced() {
+    for (backward, up, right) in [
+        // z in place of y, and x in place of z.
+        (Vec3::Y, Vec3::Y, Vec3::NEG_X),
+        (Vec3::NEG_Y, Vec3::Y, Vec3::X),
+        (Vec3::Z, Vec3::Z, Vec3::NEG_Y),
+        (Vec3::Y, Vec3::ZERO, Vec3::NEG_X),
+    ] {
+        let camera = PerspectiveCamera::new(EYE, EYE - backward, up, 90.0, 1.0);
+        let found = ray_at(&camera, (1.0, 0.0)).direction;
+        let why = format!("right = up × backward, with backward {backward} and up {up}");
+        near("d at the right edge", found, (right - backward).normalize(), &why);
     }
 }
 
@@ -167,7 +234,7 @@ fn pixels_lie_at_their_centres<S: Package>() {
         (3, 1, 4, 2, (0.875, 0.25)),
         (480, 270, 960, 540, (480.5 / 960.0, 1.0 - 270.5 / 540.0)),
     ] {
-        let found = S::pixel_center(col, row, width, height);
+        let found = S::pixel_center(Pixel { col, row, width, height });
         assert_eq!(found, expected, "{step}: pixel ({col}, {row}) of {width}x{height}: {why}");
     }
 }
@@ -178,7 +245,7 @@ fn each_pixel_gets_the_colour_of_its_own_ray<S: Package>() {
     S::render_loop(&Positions, &mut Image::new(width, height, 0, &mut colors), &|ray| ray.origin);
     for (index, color) in colors.into_iter().enumerate() {
         let (col, row) = (index % width, index / width);
-        let (u, v) = S::pixel_center(col, row, width, height);
+        let (u, v) = S::pixel_center(Pixel { col, row, width, height });
         assert_eq!(
             color,
             Vec3::new(u, v, 0.0),
@@ -198,6 +265,62 @@ fn bands_of_rows_make_the_whole_picture<S: Package>() {
         S::render_loop(&Positions, &mut image, &|ray| ray.origin);
     }
     assert_eq!(bands, whole, "{}: the loop goes over image.rows(), not from 0 to height", S::NAME);
+    assert_eq!(check_loop(&S::default()), Ok(()));
+}
+
+/// A step whose pixel loop is `for row in 0..image.height()`, and goes so many columns too far.
+struct WholePicture {
+    rows: bool,
+    more: usize,
+}
+
+impl Step for WholePicture {
+    fn view(&self) -> View {
+        View::new(EYE, TARGET, 38.0)
+    }
+
+    fn controls(&mut self) -> Controls<'_> {
+        Controls::new()
+    }
+
+    fn render(&self, camera: &dyn Camera, image: &mut Image<'_>) {
+        for row in if self.rows { image.rows() } else { 0..image.height() } {
+            for col in 0..image.width() + self.more {
+                let pixel = image.pixel(col, row);
+                image.set(col, row, self.tell(camera, pixel, &mut Explanation::new(pixel)));
+            }
+        }
+    }
+
+    fn tell(&self, _: &dyn Camera, pixel: Pixel, _: &mut Explanation) -> Color {
+        Color::new(pixel.row as f32, pixel.col as f32, 1.0)
+    }
+}
+
+#[test]
+fn a_loop_over_the_whole_picture_draws_it_and_is_told_what_to_loop_over() {
+    let (width, height) = (7, 5);
+    let camera = View::new(EYE, TARGET, 38.0).camera(1.0);
+    for (step, stray) in [
+        (WholePicture { rows: false, more: 0 }, "row 3"),
+        (WholePicture { rows: true, more: 1 }, "column 3 of row 2"),
+        (WholePicture { rows: false, more: 2 }, "column 4 of row 3"),
+    ] {
+        let whole = colors(&step, &*camera, width, height);
+        for (row, expected) in whole.chunks(width).enumerate() {
+            let mut band = vec![Color::NAN; width];
+            step.render(&*camera, &mut Image::new(width, height, row, &mut band));
+            assert_eq!(band, expected, "row {row}: what is outside a band is left out of it");
+        }
+        let told = check_loop(&step).expect_err("the loop leaves its band");
+        let remedy = "loop over image.rows() and 0..image.width()";
+        assert!(
+            told.contains(stray) && told.ends_with(remedy) && told.lines().count() == 1,
+            "{told}"
+        );
+    }
+    let right = WholePicture { rows: true, more: 0 };
+    assert_eq!(check_loop(&right), Ok(()), "this one keeps to its rows");
 }
 
 fn rays_of_a_pixel_are_averaged_before_encoding<S: Package>() {

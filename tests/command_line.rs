@@ -12,10 +12,9 @@ use image::ImageReader;
 use tempfile::tempdir;
 use tests::STEPS;
 use tests::command;
-use tests::controls;
 use tests::files;
 use tests::only_line;
-use tests::step;
+use tests::setup;
 
 /// Arguments that no step takes, and words of the line that says so.
 const WRONG: &[(&[&str], &[&str])] = &[
@@ -67,6 +66,7 @@ const WRONG: &[(&[&str], &[&str])] = &[
     (&["--set", "zoom=4"], &["no control 'zoom'; there are", "fov"]),
     (&["--set", "fo\nv=4"], &[r"no control 'fo\nv'", "did you mean 'fov'?"]),
     (&["--set", "fo\u{1b}[31mv=4"], &[r"no control 'fo\u{1b}[31mv'"]),
+    (&["--set", "fo\u{9b}31mv=4"], &[r"no control 'fo\u{9b}31mv'"]),
     (&["--set", "fov=nan"], &["'fov' cannot be 'nan'", "1 to 170"]),
     (&["--set", "fov=inf"], &["'fov' cannot be 'inf'", "1 to 170"]),
     (&["--set", "fov=-inf"], &["'fov' cannot be '-inf'", "1 to 170"]),
@@ -102,7 +102,10 @@ const WRONG: &[(&[&str], &[&str])] = &[
     (&["--pixel", "5x5"], &["'5x5'", "X,Y", "480,270"]),
     (&["--pixel", ""], &["''", "X,Y", "480,270"]),
     (&["--pixel"], &["--pixel <X,Y>", "value is required"]),
-    (&["--pixel", "1,1", "-o", "a.png"], &["--pixel", "cannot be used with", "--output"]),
+    (&["--outside"], &["required", "--output <FILE>"]),
+    (&["--outside", "-o", "a.png", "--compare", "b.png"], &["--outside", "cannot be used with"]),
+    (&["--set", "outside.azmuth=1"], &["no control 'outside.azmuth'", "'outside.azimuth'?"]),
+    (&["--set", "outside.distance=no"], &["distance", "0.1 to 100"]),
     (&["--pixel", "1,1", "--samples", "2"], &["--pixel", "cannot be used with", "--samples"]),
     (&["--compare", "a.png", "--pixel", "1,1"], &["--pixel", "cannot be used with", "--compare"]),
     (&["--pixel", "1,1", "--pixel", "2,2"], &["--pixel", "cannot be used multiple times"]),
@@ -134,7 +137,10 @@ const WRONG: &[(&[&str], &[&str])] = &[
 const WRONG_IN_THE_LAST_STEP: &[(&[&str], &[&str])] = &[
     (&["--set", "radus=1"], &["no control 'radus'", "did you mean 'radius'?"]),
     (&["--set", "ks=0.5"], &["did you mean 'k_s'?"]),
-    (&["--set", "l_s=on"], &["did you mean 'L_s'?"]),
+    (&["--set", "l_s=1"], &["did you mean 'L_s'?"]),
+    (&["--set", "L_s=on"], &["'L_s' cannot be 'on'", "0 to 1"]),
+    (&["--set", "k_s=1.5"], &["'k_s' cannot be '1.5'", "0 to 1"]),
+    (&["--set", "light=camera"], &["'light' cannot be 'camera'", "key | fill"]),
     (&["--set", "radius=0"], &["'radius' cannot be '0'", "0.1 to 2"]),
     (&["--set", "radius=-1"], &["'radius' cannot be '-1'", "0.1 to 2"]),
     (&["--set", "epsilon=1"], &["'epsilon' cannot be '1'", "0 to 0.1"]),
@@ -233,11 +239,12 @@ fn settings_are_applied_in_order_and_the_last_one_counts() {
     assert_ne!(pixel(&["--set", small]), pixel(&["--set", large]));
     assert_eq!(pixel(&["--set", small, "--set", large]), pixel(&["--set", large]));
     // A choice decides what the settings after it act on.
-    let green = ["--set", "sphere=green", "--set", "radius=0.1"];
-    assert_eq!(pixel(&green), pixel(&[]));
-    let red = ["--set", "radius=0.1", "--set", "sphere=green"];
-    assert_eq!(pixel(&red), pixel(&["--set", "radius=0.1"]));
-    assert_ne!(pixel(&red), pixel(&[]));
+    let [tiny, green, red] = ["radius=0.1", "sphere=green", "sphere=red"];
+    let of_green = pixel(&["--set", green, "--set", tiny]);
+    let of_red = pixel(&["--set", tiny, "--set", green]);
+    assert_ne!(of_green, of_red);
+    assert_eq!(of_red, pixel(&["--set", tiny]));
+    assert_eq!(of_green, pixel(&["--set", green, "--set", tiny, "--set", red]));
     // --camera comes before all of them, wherever it is typed.
     let both = ["--set", "camera=perspective", "--camera", "parallel"];
     assert_eq!(pixel(&both), pixel(&[]));
@@ -251,10 +258,8 @@ fn help_names_every_flag_and_control_and_writes_nothing() {
         let text = String::from_utf8(output.stdout).expect("text");
         let flags =
             ["--output", "--size", "--camera", "--set", "--samples", "--pixel", "--compare"];
-        let (mut step, mut view) = (step(index), step(index).view());
-        let controls = controls(&mut *step, &mut view);
-        let controls = controls.iter().map(|control| {
-            format!("  {:<14} {} ({})\n", control.name, control.takes(), control.text())
+        let controls = setup(index).list().into_iter().map(|setting| {
+            format!("  {:<14} {} ({})\n", setting.name, setting.takes, setting.text)
         });
         for part in flags.map(str::to_owned).into_iter().chain(controls) {
             assert!(text.contains(&part), "{name}: no {part:?} in:\n{text}");
@@ -264,6 +269,30 @@ fn help_names_every_flag_and_control_and_writes_nothing() {
         assert!(output.stderr.is_empty() && files.is_empty(), "{name}");
         assert_eq!(output.status.code(), Some(0), "{name}");
     }
+}
+
+#[test]
+fn the_destination_of_a_comparison_is_checked_before_rendering() {
+    let folder = tempdir().expect("a folder");
+    let run = |arguments: &[&str]| {
+        let mut program = command(STEPS[1], folder.path());
+        program.args(["-s", "9x9"]).args(arguments).output().expect("it runs")
+    };
+    assert!(run(&["-o", "a.png"]).status.success(), "a picture to compare with");
+    for (output, status) in [("none/b.png", 1), (".", 1), ("a.png", 2), ("./a.png", 2)] {
+        let output = run(&["--compare", "a.png", "-o", output]);
+        let line = only_line(&output);
+        assert_eq!(output.status.code(), Some(status), "{line}");
+        assert!(
+            line.starts_with("error: ") && output.stdout.is_empty(),
+            "nothing is compared: {line}"
+        );
+        assert_eq!(files(folder.path()), ["a.png"], "{line}");
+    }
+    let output = run(&["--compare", "a.png", "-o", "b.png"]);
+    assert_eq!(output.status.code(), Some(0), "{}", only_line(&output));
+    let sides = ImageReader::open(folder.path().join("b.png")).expect("it is there");
+    assert_eq!(sides.into_dimensions().expect("a PNG"), (27, 9), "expected, found, difference");
 }
 
 /// The writing end of a pipe that nobody reads.
@@ -330,6 +359,39 @@ fn standard_output_that_is_full_is_a_failure() {
         assert!(line.starts_with("error: cannot write to standard output: "), "{line}");
         assert_eq!(output.status.code(), Some(1), "{line}");
     }
+}
+
+/// The lines that a step shows on a terminal, also those that are written over.
+#[cfg(target_os = "linux")]
+fn on_a_terminal(arguments: &str) -> Vec<String> {
+    let folder = tempdir().expect("a folder");
+    let program = command(STEPS[1], folder.path());
+    let line = format!("{} {arguments} -o a.png", program.get_program().display());
+    let mut script = Command::new("script");
+    script.current_dir(folder.path()).args(["--quiet", "--return", "--command", &line, "said"]);
+    // No machine is then too fast.
+    script.env("RAYON_NUM_THREADS", "1").stdin(Stdio::null());
+    let output = script.output().expect("script runs");
+    assert!(output.status.success(), "{output:?}");
+    let said = String::from_utf8(output.stdout).expect("text");
+    said.split(['\r', '\n']).filter(|line| !line.is_empty()).map(str::to_owned).collect()
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_long_render_says_on_a_terminal_how_far_it_is() {
+    let lines = on_a_terminal("--samples 12");
+    let [shown @ .., wiped, done] = &*lines else { panic!("{lines:?}") };
+    let percent = |line: &String| {
+        let (percent, to_go) = line.split_once(" %, ").expect(line);
+        to_go.trim_end().strip_suffix(" s to go").expect(line).parse::<usize>().expect(line);
+        percent.parse::<usize>().expect(line)
+    };
+    let percents: Vec<usize> = shown.iter().map(percent).collect();
+    assert!(percents.is_sorted() && percents.len() > 10, "{lines:?}");
+    assert_eq!(percents.last(), Some(&100));
+    assert!(wiped.trim().is_empty() && done.contains("rendered in"), "{lines:?}");
+    assert_eq!(on_a_terminal("--size 9x9").len(), 1);
 }
 
 /// A refused size is refused before there is memory for it.

@@ -1,25 +1,24 @@
 //! Sliders: what they take, where they stand, and that each changes the picture.
 
+use std::fmt;
+
 use common::Color;
-use common::Control;
-use common::Step;
+use common::Controls;
+use common::Setting;
+use common::Setup;
 use common::Vec3;
-use common::View;
 use image::RgbImage;
 use tests::STEPS;
-use tests::controls;
 use tests::every_step::Near;
-use tests::picture;
+use tests::picture_of;
+use tests::setup;
 use tests::step;
 
 const WIDTH: usize = 160;
 const HEIGHT: usize = 90;
 
-/// The name of a control and a value.
-type Setting = (&'static str, &'static str);
-
 /// Where a control has to be tried with another one moved first, and why.
-const FIRST: [(&str, &str, &[Setting]); 4] = [
+const FIRST: [(&str, &str, &[(&str, &str)]); 4] = [
     // Moving straight back leaves all directions as they are, and the one origin of perspective
     // soon lies beyond the colours; a parallel view grows with the distance.
     ("step01_rays", "distance", &[("shown", "origin"), ("camera", "parallel")]),
@@ -30,145 +29,119 @@ const FIRST: [(&str, &str, &[Setting]); 4] = [
     ("step03_triangle", "camera", &[("a.z", "1")]),
 ];
 
-/// Choices that do not show themselves: they say what the next control acts on.
-const CHOICES: [(&str, &str); 2] = [("sphere", "radius"), ("light", "I")];
+/// The options of a choice.
+const OPTIONS: [(&str, char); 3] = [("a", 'a'), ("b", 'b'), ("c", 'c')];
 
-/// A step, what it is seen with, and what of both was moved.
-struct Lesson {
-    name: &'static str,
-    step: Box<dyn Step>,
-    view: View,
+/// A control of a step: the step's index, what it is of, and its name.
+#[derive(Clone, Debug)]
+struct Which {
+    index: usize,
+    of: Option<(&'static str, &'static str)>,
+    name: String,
 }
 
-impl Lesson {
-    fn new(index: usize) -> Self {
-        let step = step(index);
-        let view = step.view();
-        Self { name: STEPS[index], step, view }
-    }
-
-    fn controls(&mut self) -> Vec<Control<'_>> {
-        controls(&mut *self.step, &mut self.view)
-    }
-
-    /// The step as it starts, with the controls moved that `name` needs.
-    fn ready_for(index: usize, name: &str) -> Self {
-        let mut lesson = Self::new(index);
-        for (step, control, settings) in FIRST {
-            if step == lesson.name && control == name {
-                settings.iter().for_each(|(name, value)| lesson.set(name, value));
-            }
+impl Which {
+    /// The step as it starts, with this control shown.
+    fn shown(&self) -> Setup {
+        let mut setup = setup(self.index);
+        if let Some((kind, which)) = self.of {
+            setup.set(kind, which).unwrap_or_else(|refused| panic!("{self}: {refused}"));
         }
-        lesson
+        setup
     }
 
-    fn set(&mut self, name: &str, value: &str) {
-        let step = self.name;
-        let mut controls = self.controls();
-        let control = controls.iter_mut().find(|control| control.name == name);
-        let control = control.unwrap_or_else(|| panic!("{step} has no control '{name}'"));
-        control.set(value).unwrap_or_else(|refused| panic!("{step}: {refused}"));
-    }
-
-    fn picture(&self) -> RgbImage {
-        picture(&*self.step, &self.view, WIDTH, HEIGHT)
+    fn setting(&self, setup: &mut Setup) -> Setting {
+        let found = setup.list().into_iter().find(|setting| setting.name == self.name);
+        found.unwrap_or_else(|| panic!("{self} is not shown"))
     }
 }
 
-fn names(index: usize) -> Vec<String> {
-    Lesson::new(index).controls().into_iter().map(|control| control.name).collect()
+impl fmt::Display for Which {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let of = self.of.map_or(String::new(), |(_, which)| format!(" of the {which}"));
+        write!(f, "{}: '{}'{of}", STEPS[self.index], self.name)
+    }
 }
 
-/// Every control of every step: the step's index, the control's place and its name.
-fn every_control() -> impl Iterator<Item = (usize, usize, String)> {
-    let of_step =
-        |index| names(index).into_iter().enumerate().map(move |(place, name)| (index, place, name));
-    (0..STEPS.len()).flat_map(of_step)
+/// Every control of every step, those of each object.
+fn every_control() -> Vec<Which> {
+    let of_step = |index: usize| {
+        let mut step = step(index);
+        let mut view = step.view();
+        let controls = step.controls().into_iter().chain(view.controls());
+        let controls: Vec<_> =
+            controls.map(|control| Which { index, of: control.of, name: control.name }).collect();
+        controls
+    };
+    (0..STEPS.len()).flat_map(of_step).collect()
+}
+
+fn picture(setup: &Setup) -> RgbImage {
+    picture_of(setup, WIDTH, HEIGHT)
 }
 
 #[test]
-fn every_control_changes_the_picture() {
-    let choice = |name: &str| CHOICES.iter().any(|(choice, _)| *choice == name);
-    for (index, place, name) in every_control().filter(|(_, _, name)| !choice(name)) {
-        let step = STEPS[index];
-        let start = Lesson::ready_for(index, &name).picture();
-        let mut moved = 0;
-        for fraction in [0.0, 0.25, 0.5, 0.75, 1.0] {
-            let mut lesson = Lesson::ready_for(index, &name);
-            let (before, after, takes) = {
-                let control = &mut lesson.controls()[place];
-                let before = control.text();
-                control.set_fraction(fraction);
-                (before, control.text(), control.takes())
-            };
-            if before != after {
-                moved += 1;
+fn every_control_changes_the_picture_and_no_other_does_the_same() {
+    let mut pictures: Vec<(Which, RgbImage)> = Vec::new();
+    for which in every_control() {
+        let ready = || {
+            let mut setup = which.shown();
+            for (step, control, settings) in FIRST {
+                if step == STEPS[which.index] && control == which.name {
+                    for (name, value) in settings {
+                        setup.set(name, value).unwrap_or_else(|refused| panic!("{refused}"));
+                    }
+                }
+            }
+            setup
+        };
+        let start = picture(&ready());
+        let before = which.setting(&mut ready());
+        let mut last = None;
+        // From 10⁻⁵ to 10⁻² an ε does its work, and all look alike.
+        let parts = if which.name == "epsilon" { 0..2 } else { 0..5 };
+        for fraction in parts.map(|part| [0.0, 1.0, 0.25, 0.5, 0.75][part]) {
+            let mut setup = ready();
+            setup.set_fraction(&which.name, fraction);
+            let Setting { text, takes, .. } = which.setting(&mut setup);
+            if before.text != text {
+                let picture = picture(&setup);
                 assert!(
-                    lesson.picture() != start,
-                    "{step}: '{name}' from {before} to {after} (it takes {takes}) leaves every \
-                     pixel as it was"
+                    picture != start,
+                    "{which} from {} to {text} (it takes {takes}) leaves every pixel as it was",
+                    before.text
                 );
+                last = Some(picture);
             }
+            setup.reset(&which.name);
+            assert_eq!(which.setting(&mut setup), before, "{which} is put back to {}", before.text);
         }
-        assert!(moved > 0, "{step}: '{name}' cannot be moved");
+        let last = last.unwrap_or_else(|| panic!("{which} cannot be moved"));
+        pictures.push((which, last));
+    }
+    // An object's control acts on that object alone.
+    for (place, (which, picture)) in
+        pictures.iter().enumerate().filter(|(_, (it, _))| it.of.is_some())
+    {
+        let same = pictures[..place].iter().find(|(other, same)| {
+            other.index == which.index && other.name == which.name && same == picture
+        });
+        assert!(same.is_none(), "{which} does the same as {}", same.expect("it is one").0);
     }
 }
 
 #[test]
-fn a_choice_decides_what_the_next_control_acts_on() {
-    for (choice, acts) in CHOICES {
-        let having: Vec<_> = every_control().filter(|(_, _, name)| name == choice).collect();
-        assert!(!having.is_empty(), "no step has a choice '{choice}'");
-        for (index, place, _) in having {
-            let step = STEPS[index];
-            let start = Lesson::new(index).picture();
-            let options = Lesson::new(index).controls()[place].takes();
-            let mut pictures: Vec<RgbImage> = Vec::new();
-            for option in options.split(" | ") {
-                let mut lesson = Lesson::new(index);
-                lesson.set(choice, option);
-                assert!(lesson.picture() == start, "{step}: '{choice}' alone changes nothing yet");
-                lesson.set(acts, "1.5");
-                let picture = lesson.picture();
-                assert!(picture != start, "{step}: '{acts}' of {choice} {option} changes nothing");
-                assert!(
-                    pictures.iter().all(|other| *other != picture),
-                    "{step}: '{acts}' of {choice} {option} acts on another {choice} as well"
-                );
-                pictures.push(picture);
-            }
-        }
-    }
-}
-
-#[test]
-fn a_control_moved_there_and_back_gives_the_first_picture() {
-    for (index, place, name) in every_control() {
-        let mut lesson = Lesson::new(index);
-        let shown = lesson.controls()[place].text();
-        // What is shown has four digits, the viewpoint at the start has more.
-        lesson.set(&name, &shown);
-        let start = lesson.picture();
-        lesson.controls()[place].set_fraction(1.0);
-        lesson.set(&name, &shown);
-        let step = STEPS[index];
-        assert!(lesson.picture() == start, "{step}: '{name}' back at {shown} is another picture");
-    }
-}
-
-#[test]
-fn every_value_shown_is_taken() {
-    for (index, place, name) in every_control() {
-        let mut lesson = Lesson::new(index);
-        let step = STEPS[index];
+fn every_value_shown_is_taken_and_has_at_most_four_decimals() {
+    for which in every_control() {
+        let mut setup = which.shown();
         for percent in 0..=100 {
-            let mut controls = lesson.controls();
-            let control = &mut controls[place];
-            control.set_fraction(percent as f32 / 100.0);
-            let shown = control.text();
-            let taken = control.set(&shown);
-            assert_eq!(taken, Ok(()), "{step}: '{name}' refuses the value that it shows");
-            assert_eq!(control.text(), shown, "{step}: '{name}' shows another value then");
+            setup.set_fraction(&which.name, percent as f32 / 100.0);
+            let shown = which.setting(&mut setup).text;
+            let decimals = shown.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+            assert!(decimals <= 4 || shown.contains('e'), "{which}: {shown} has too many digits");
+            assert_ne!(shown, "-0", "{which}: zero has no sign");
+            assert_eq!(setup.set(&which.name, &shown), Ok(()), "{which} refuses what it shows");
+            assert_eq!(which.setting(&mut setup).text, shown, "{which} shows another value then");
         }
     }
 }
@@ -177,22 +150,19 @@ fn every_value_shown_is_taken() {
 fn what_a_control_does_not_take_is_refused_and_changes_nothing() {
     let values =
         ["nan", "-nan", "inf", "-inf", "1e30", "-1e30", "", " ", "five", "0x1", "1,5", "On"];
-    for (index, place, name) in every_control() {
-        let step = STEPS[index];
-        let mut lesson = Lesson::new(index);
-        let mut controls = lesson.controls();
-        let control = &mut controls[place];
-        let before = (control.text(), control.fraction());
+    for which in every_control() {
+        let mut setup = which.shown();
+        let before = which.setting(&mut setup);
         for value in values {
-            let Err(refused) = control.set(value) else {
-                panic!("{step}: '{name}' takes '{value}', and it should take {}", control.takes());
+            let Err(refused) = setup.set(&which.name, value) else {
+                panic!("{which} takes '{value}', and it should take {}", before.takes);
             };
             let message = refused.to_string();
-            for part in [name.as_str(), value, &control.takes()] {
-                assert!(message.contains(part), "{step}: '{message}' does not say '{part}'");
+            for part in [which.name.as_str(), value, &before.takes] {
+                assert!(message.contains(part), "{which}: '{message}' does not say '{part}'");
             }
-            let after = (control.text(), control.fraction());
-            assert_eq!(after, before, "{step}: '{name}' refused '{value}' and yet changed");
+            let after = which.setting(&mut setup);
+            assert_eq!(after, before, "{which} refused '{value}' and yet changed");
         }
     }
 }
@@ -200,35 +170,49 @@ fn what_a_control_does_not_take_is_refused_and_changes_nothing() {
 #[test]
 fn names_are_unique_and_need_no_quotes() {
     for (index, step) in STEPS.into_iter().enumerate() {
-        let names = names(index);
+        let names: Vec<String> = setup(index).list().into_iter().map(|it| it.name).collect();
         for name in &names {
             let allowed = |char: char| char.is_ascii_alphanumeric() || "._".contains(char);
             assert!(name.chars().all(allowed), "{step}: '{name}' needs quotes on a command line");
             let same = names.iter().filter(|other| *other == name).count();
             assert_eq!(same, 1, "{step}: {same} controls are named '{name}'");
         }
+        if index >= 4 {
+            for Setting { name, .. } in setup(index - 1).list() {
+                assert!(names.contains(&name), "{step} has lost the control '{name}'");
+            }
+        }
     }
 }
 
 #[test]
-fn a_step_keeps_the_controls_of_the_one_before() {
-    for (index, step) in STEPS.into_iter().enumerate().skip(4) {
-        let names = names(index);
-        for name in self::names(index - 1) {
-            assert!(names.contains(&name), "{step} has lost the control '{name}'");
-        }
+fn numbers_are_shown_in_digits_that_say_something() {
+    for (mut number, shown) in [
+        (0.0, "0"),
+        (-0.0, "0"),
+        (-1.0, "-1"),
+        (0.123_44, "0.1234"),
+        (0.123_46, "0.1235"),
+        (-2.500_04, "-2.5"),
+        (0.001, "0.001"),
+        (0.000_123_4, "1.2e-4"),
+        (-0.000_01, "-1.0e-5"),
+        (199.999_98, "200"),
+    ] {
+        let mut controls = Controls::new();
+        controls.number("number", -300.0..=300.0, &mut number);
+        assert_eq!(controls[0].text(), shown, "in at most four decimals, or a power of ten");
     }
 }
 
 #[test]
 fn the_ends_of_a_range_are_taken_and_beyond_them_nothing() {
     let (mut number, mut ratio, mut color, mut count) = (1.0, 10.0, Color::new(0.2, 0.4, 0.1), 2);
-    let mut controls = [
-        Control::number("number", -2.0..=6.0, &mut number),
-        Control::logarithmic("ratio", 1.0..=1000.0, &mut ratio),
-        Control::brightness("color", 0.05..=1.0, &mut color),
-        Control::count("count", 0..=4, &mut count),
-    ];
+    let mut controls = Controls::new();
+    controls.number("number", -2.0..=6.0, &mut number);
+    controls.logarithmic("ratio", 1.0..=1000.0, &mut ratio);
+    controls.brightness("color", 0.05..=1.0, &mut color);
+    controls.count("count", 0..=4, &mut count);
     for (control, (low, high, below, above)) in controls.iter_mut().zip([
         ("-2", "6", "-2.001", "6.001"),
         ("1", "1000", "0.999", "1000.1"),
@@ -252,16 +236,22 @@ fn the_ends_of_a_range_are_taken_and_beyond_them_nothing() {
 #[test]
 fn sliders_stand_where_their_value_is() {
     let (mut number, mut ratio, mut color, mut count) = (0.0, 10.0, Color::new(0.25, 0.5, 0.0), 1);
-    let (mut choice, mut switch) = (1, false);
-    let controls = [
-        (Control::number("number", -2.0..=6.0, &mut number), 0.25, "0"),
-        (Control::logarithmic("ratio", 1.0..=1000.0, &mut ratio), 1.0 / 3.0, "10"),
-        (Control::brightness("color", 0.25..=1.0, &mut color), 1.0 / 3.0, "0.5"),
-        (Control::count("count", 0..=4, &mut count), 0.25, "1"),
-        (Control::choice("choice", &["a", "b", "c"], &mut choice), 0.5, "b"),
-        (Control::switch("switch", &mut switch), 0.0, "off"),
-    ];
-    for (mut control, fraction, text) in controls {
+    let (mut choice, mut switch) = ('b', false);
+    let mut controls = Controls::new();
+    controls.number("number", -2.0..=6.0, &mut number);
+    controls.logarithmic("ratio", 1.0..=1000.0, &mut ratio);
+    controls.brightness("color", 0.25..=1.0, &mut color);
+    controls.count("count", 0..=4, &mut count);
+    controls.choice("choice", OPTIONS, &mut choice);
+    controls.switch("switch", &mut switch);
+    for (control, (fraction, text)) in controls.iter_mut().zip([
+        (0.25, "0"),
+        (1.0 / 3.0, "10"),
+        (1.0 / 3.0, "0.5"),
+        (0.25, "1"),
+        (0.5, "b"),
+        (0.0, "off"),
+    ]) {
         assert_eq!(control.text(), text);
         // Logarithms and their inverse round by some last bits.
         assert!(control.fraction().difference(fraction) < 4.0 * f32::EPSILON, "{control:?}");
@@ -275,12 +265,11 @@ fn sliders_stand_where_their_value_is() {
 #[test]
 fn fifty_nudges_are_the_whole_range() {
     let (mut number, mut ratio, mut color) = (-2.0, 1.0, Color::new(0.05, 0.025, 0.0));
-    let mut controls = [
-        Control::number("number", -2.0..=6.0, &mut number),
-        Control::logarithmic("ratio", 1.0..=1000.0, &mut ratio),
-        Control::brightness("color", 0.05..=1.0, &mut color),
-    ];
-    for control in &mut controls {
+    let mut controls = Controls::new();
+    controls.number("number", -2.0..=6.0, &mut number);
+    controls.logarithmic("ratio", 1.0..=1000.0, &mut ratio);
+    controls.brightness("color", 0.05..=1.0, &mut color);
+    for control in controls.iter_mut() {
         let start = control.text();
         for nudge in 1..=50 {
             control.nudge(1.0);
@@ -302,13 +291,14 @@ fn fifty_nudges_are_the_whole_range() {
 
 #[test]
 fn a_nudge_is_the_next_whole_number_name_or_state() {
-    let (mut count, mut choice, mut switch) = (0, 0, false);
-    let controls = [
-        (Control::count("count", 0..=7, &mut count), vec!["0", "1", "2", "3", "4", "5", "6", "7"]),
-        (Control::choice("choice", &["a", "b", "c"], &mut choice), vec!["a", "b", "c"]),
-        (Control::switch("switch", &mut switch), vec!["off", "on"]),
-    ];
-    for (mut control, states) in controls {
+    let (mut count, mut choice, mut switch) = (0, 'a', false);
+    let mut controls = Controls::new();
+    controls.count("count", 0..=7, &mut count);
+    controls.choice("choice", OPTIONS, &mut choice);
+    controls.switch("switch", &mut switch);
+    let states =
+        [vec!["0", "1", "2", "3", "4", "5", "6", "7"], vec!["a", "b", "c"], vec!["off", "on"]];
+    for (control, states) in controls.iter_mut().zip(states) {
         // A fine nudge is a whole one here: there is nothing in between.
         for step in [1.0, 0.1] {
             for state in &states {
@@ -324,24 +314,61 @@ fn a_nudge_is_the_next_whole_number_name_or_state() {
 }
 
 #[test]
-fn brightness_keeps_the_hue() {
-    let mut color = Color::new(0.2, 0.4, 0.1);
-    Control::brightness("k_d", 0.05..=1.0, &mut color).set("0.8").expect("it is in range");
-    assert!(color.difference(Color::new(0.4, 0.8, 0.2)) < f32::EPSILON, "{color}: all doubled");
-    let mut black = Color::ZERO;
-    Control::brightness("k_d", 0.05..=1.0, &mut black).set("0.5").expect("it is in range");
-    assert_eq!(black, Color::splat(0.5), "black has no hue: it becomes grey");
+fn a_slider_takes_the_nearest_name_or_whole_number() {
+    let (mut count, mut choice) = (0, 'a');
+    let mut controls = Controls::new();
+    controls.count("count", 0..=2, &mut count);
+    controls.choice("choice", OPTIONS, &mut choice);
+    for (fraction, place) in [(0.2, 0), (0.3, 1), (0.7, 1), (0.8, 2), (f32::NAN, 0)] {
+        for (control, names) in controls.iter_mut().zip([["0", "1", "2"], ["a", "b", "c"]]) {
+            control.set_fraction(fraction);
+            assert_eq!(control.text(), names[place], "'{}' at {fraction}", control.name);
+        }
+    }
 }
 
 #[test]
-fn a_vector_has_a_control_for_each_axis() {
-    let mut place = Vec3::new(1.0, 2.0, 3.0);
-    for (control, name) in
-        Control::vector("a", -3.0..=3.0, &mut place).iter_mut().zip(["x", "y", "z"])
-    {
-        assert_eq!(control.name, format!("a.{name}"));
-        let next = control.text().parse::<f32>().expect("a number") - 3.0;
-        control.set(&next.to_string()).expect("it is in range");
+fn brightness_keeps_the_hue_and_is_exact() {
+    for value in ["0.8", "0.05", "0.7", "0.123456", "1"] {
+        let (mut color, mut grey, mut black) =
+            (Color::new(0.2, 0.4, 0.1), Color::splat(0.3), Color::ZERO);
+        let mut controls = Controls::new();
+        for color in [&mut color, &mut grey, &mut black] {
+            controls.brightness("k_d", 0.05..=1.0, color);
+        }
+        for control in controls.iter_mut() {
+            assert_eq!(control.set(value), Ok(()), "it is in range");
+            assert_eq!(control.exact(), value, "the largest channel is what was set");
+        }
+        drop(controls);
+        let largest: f32 = value.parse().expect("a number");
+        let expected = largest * Color::new(0.5, 1.0, 0.25);
+        assert!(color.difference(expected) < f32::EPSILON, "{color}: all channels by one factor");
+        assert_eq!(grey, Color::splat(largest), "grey stays grey");
+        assert_eq!(black, Color::splat(largest), "black has no hue: it becomes grey");
     }
-    assert_eq!(place, Vec3::new(-2.0, -1.0, 0.0));
+}
+
+#[test]
+fn a_point_has_a_control_for_each_axis_and_a_group_goes_on() {
+    let (mut place, mut first, mut second) = (Vec3::new(1.0, 2.0, 3.0), 0.0, 0.0);
+    let mut controls = Controls::new();
+    controls.group_of("scene", "sphere", "red");
+    controls.point("a", -3.0..=3.0, &mut place);
+    controls.group("light");
+    controls.number("I", 0.0..=1.0, &mut first);
+    controls.group("scene");
+    controls.number("r", 0.0..=1.0, &mut second);
+    let names: Vec<&str> = controls.iter().map(|control| control.name.as_str()).collect();
+    assert_eq!(names, ["a.x", "a.y", "a.z", "r", "I"], "a group goes on where it was");
+    let red = Some(("sphere", "red"));
+    let owners: Vec<_> = controls.iter().map(|control| control.of).collect();
+    assert_eq!(owners, [red, red, red, None, None], "only the point is the red sphere's");
+    for (index, control) in controls.iter_mut().take(3).enumerate() {
+        assert_eq!(control.axis, Some(("a", index)), "the point's name and its axis");
+        let next = control.text().parse::<f32>().expect("a number") - 3.0;
+        assert_eq!(control.set(&next.to_string()), Ok(()), "it is in range");
+    }
+    drop(controls);
+    assert_eq!(place, Vec3::new(-2.0, -1.0, 0.0), "each axis less 3");
 }

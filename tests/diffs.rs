@@ -29,42 +29,45 @@ const LESSONS: [Lesson; 6] = [
         step: "step02_sphere",
         adds: &["intersection.rs", "sphere.rs"],
         changes: &["lib.rs"],
-        budget: 135,
+        budget: 78,
     },
-    Lesson { step: "step03_triangle", adds: &["triangle.rs"], changes: &["lib.rs"], budget: 96 },
+    Lesson { step: "step03_triangle", adds: &["triangle.rs"], changes: &["lib.rs"], budget: 114 },
     Lesson {
         step: "step04_scene",
-        adds: &["scene.rs"],
-        changes: &["intersection.rs", "lib.rs", "sphere.rs", "triangle.rs"],
-        budget: 157,
+        adds: &["scene.rs", "surface.rs"],
+        changes: &["lib.rs"],
+        budget: 140,
     },
     Lesson {
         step: "step05_diffuse",
         adds: &["light.rs", "material.rs"],
         changes: &["lib.rs", "scene.rs"],
-        budget: 104,
+        budget: 72,
     },
     Lesson {
         step: "step06_shadows",
         adds: &[],
         changes: &["lib.rs", "material.rs", "scene.rs"],
-        budget: 89,
+        budget: 62,
     },
     Lesson {
         step: "step07_specular",
         adds: &[],
         changes: &["lib.rs", "material.rs", "scene.rs"],
-        budget: 83,
+        budget: 68,
     },
 ];
 
 /// The largest budget, and the largest median of all.
-const LARGEST: usize = 160;
-const MEDIAN: usize = 100;
+const LARGEST: usize = 140;
+const MEDIAN: usize = 75;
+
+/// The most lines that the last step may have.
+const LINES: usize = 500;
 
 /// Lines that leave a file and come back because two concepts happen to need them, with the file.
-const COME_BACK: [(&str, &str); 2] =
-    [("src/lib.rs", "pub shown: usize,"), ("src/lib.rs", "/// What is seen.")];
+const COME_BACK: [(&str, &str); 1] =
+    [("src/lib.rs", "controls.choice(\"shown\", shown, &mut self.shown);")];
 
 const RULE: &str =
     "a fix goes to the earliest step that has the line, and forward into every later one";
@@ -324,7 +327,7 @@ fn style_fault(line: &str) -> Option<&'static str> {
         })
     };
     let is_use = code.starts_with("use ") || code.starts_with("pub use ");
-    if is_use && code.contains(['{', '*']) {
+    if is_use && code.contains(['{', '*']) && code != "use common::prelude::*;" {
         Some("one item a `use`: each gets a line of its own, so a diff shows what came")
     } else if numbered(line) {
         Some("no step's number or name: later steps share the line")
@@ -427,6 +430,28 @@ fn budgets_are_small() {
     let median = (budgets[2] + budgets[3]).div_ceil(2);
     assert!(budgets[5] <= LARGEST, "the largest budget is {} lines, not {LARGEST}", budgets[5]);
     assert!(median <= MEDIAN, "the median of the budgets is {median} lines, not {MEDIAN}");
+}
+
+#[test]
+fn the_last_step_is_short() {
+    let files = files(STEPS[6]);
+    let sources = files.iter().filter(|(path, _)| path.starts_with("src/"));
+    let lines: usize = sources.map(|(_, text)| text.lines().count()).sum();
+    assert!(lines <= LINES, "{} has {lines} lines in src/, and may have {LINES}", STEPS[6]);
+}
+
+/// What is said of one thing alone never changes, so that a slide is read once.
+#[test]
+fn what_a_hit_is_never_changes() {
+    let steps: Vec<(&str, Files)> = STEPS.iter().map(|step| (*step, files(step))).collect();
+    for name in ["intersection", "light", "render", "sphere", "surface", "triangle"] {
+        let path = format!("src/{name}.rs");
+        let mut having = steps.iter().filter_map(|(step, files)| Some((step, files.get(&path)?)));
+        let (first, text) = having.next().unwrap_or_else(|| panic!("no step has {path}"));
+        for (step, other) in having {
+            assert!(text == other, "{path} of {step} is not that of {first}: {RULE}");
+        }
+    }
 }
 
 /// A line that two steps have and a step between them has not was changed there alone.
@@ -534,6 +559,7 @@ fn each_rule_of_style_finds_its_fault() {
     }
     for line in [
         "use std::fmt::Write as _;",
+        "use common::prelude::*;",
         "    /// The next step of `Step`, for a new Newton iteration: 2 * 3 / 4 - 5 // 6",
         "    let result = match value { _ => 1 };",
     ] {

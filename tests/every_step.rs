@@ -5,9 +5,13 @@ use std::fmt::Display;
 
 use common::Camera;
 use common::Color;
+use common::Explanation;
 use common::Image;
+use common::Pixel;
 use common::Ray;
+use common::Silent;
 use common::Step;
+use common::Value;
 use common::Vec3;
 
 /// How far the closed forms may be off. Their numbers stay below 16, and one that is the result
@@ -34,21 +38,6 @@ pub struct Ball {
     pub radius: f32,
 }
 
-/// a t² + 2 b t + c = 0, its discriminant b² − a c, and its roots.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Quadratic {
-    /// d·d
-    pub a: f32,
-    /// d·(p − center)
-    pub b: f32,
-    /// |p − center|² − radius²
-    pub c: f32,
-    /// b² − a c
-    pub discriminant: f32,
-    /// The smaller one first.
-    pub roots: Option<[f32; 2]>,
-}
-
 /// A material; each step takes from it what it knows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Paint {
@@ -60,12 +49,14 @@ pub struct Paint {
     pub k_s: f32,
     /// p
     pub exponent: f32,
+    /// Whether its highlights are Phong's.
+    pub phong: bool,
 }
 
 impl Paint {
     /// Only a diffuse share.
     pub const fn matte(k_d: Color) -> Self {
-        Self { k_a: Color::ZERO, k_d, k_s: 0.0, exponent: 1.0 }
+        Self { k_a: Color::ZERO, k_d, k_s: 0.0, exponent: 1.0, phong: false }
     }
 }
 
@@ -87,7 +78,7 @@ impl Light {
     }
 }
 
-/// A scene; each step takes from it what it knows, and keeps its own ε.
+/// A scene; each step takes from it what it knows.
 #[derive(Clone, Debug)]
 pub struct World {
     /// The spheres.
@@ -98,14 +89,12 @@ pub struct World {
     pub background: Color,
     /// The lights; step 05 knows the first.
     pub lights: Vec<Light>,
-    /// I of the light at the camera.
-    pub camera_light: f32,
     /// I_a
     pub ambient: f32,
     /// Whether objects throw shadows.
     pub shadows: bool,
-    /// Whether highlights are Phong's.
-    pub phong: bool,
+    /// ε
+    pub epsilon: f32,
 }
 
 impl Default for World {
@@ -116,10 +105,9 @@ impl Default for World {
             triangles: Vec::new(),
             background: Color::ZERO,
             lights: Vec::new(),
-            camera_light: 0.0,
             ambient: 0.0,
             shadows: true,
-            phong: false,
+            epsilon: 1e-3,
         }
     }
 }
@@ -129,8 +117,8 @@ pub trait Package: Step + Clone + Default {
     /// The step's package.
     const NAME: &'static str;
 
-    /// The centre of pixel (col, row) in normalized coordinates.
-    fn pixel_center(col: usize, row: usize, width: usize, height: usize) -> (f32, f32);
+    /// The pixel's centre in normalized coordinates.
+    fn pixel_center(pixel: Pixel) -> (f32, f32);
 
     /// The slide's loop, with any function for `trace`.
     fn render_loop(camera: &dyn Camera, image: &mut Image<'_>, trace: &dyn Fn(&Ray) -> Color);
@@ -141,8 +129,8 @@ pub trait Spheres: Package {
     /// The first hit with t_min < t < t_max.
     fn sphere(ball: Ball, ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit>;
 
-    /// The equation to be solved for it.
-    fn quadratic(ball: Ball, ray: &Ray) -> Quadratic;
+    /// What is told of the search for any hit with t > 0.
+    fn explain_sphere(ball: Ball, ray: &Ray) -> Explanation;
 }
 
 /// The steps with triangles, 03 to 07.
@@ -150,8 +138,23 @@ pub trait Triangles: Spheres {
     /// The hit with t_min < t < t_max.
     fn triangle(abc: [Vec3; 3], ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit>;
 
-    /// t and α, β, γ of the point where `ray` meets the triangle's plane.
-    fn solve(abc: [Vec3; 3], ray: &Ray) -> Option<(f32, Vec3)>;
+    /// What is told of the search for a hit with t > 0.
+    fn explain_triangle(abc: [Vec3; 3], ray: &Ray) -> Explanation;
+
+    /// t and α, β, γ of the point with t > 0 where `ray` meets the triangle's plane.
+    fn solve(abc: [Vec3; 3], ray: &Ray) -> Option<(f32, Vec3)> {
+        let told = Self::explain_triangle(abc, ray);
+        let weights = [number(&told, "α")?, number(&told, "β")?, number(&told, "γ")?];
+        Some((number(&told, "t")?, Vec3::from(weights)))
+    }
+}
+
+/// The number that `explanation` gives to `symbol`.
+pub fn number(explanation: &Explanation, symbol: &str) -> Option<f32> {
+    match explanation.value(symbol) {
+        Some(Value::Number(number)) => Some(number),
+        _ => None,
+    }
 }
 
 /// The steps with scenes, 04 to 07.
@@ -174,23 +177,23 @@ pub trait Lights: Scenes {}
 
 /// The steps with shadows, 06 and 07.
 pub trait Shadows: Lights {
-    /// Whether anything is hit with t_min < t < t_max.
-    fn is_blocked(scene: &Self::Scene, ray: &Ray, t_min: f32, t_max: f32) -> bool;
+    /// Whether a light at `position` is seen from `point`.
+    fn is_visible(scene: &Self::Scene, position: Vec3, point: Vec3) -> bool;
 }
 
 macro_rules! packages {
     ($($step:ident)*) => { $(
-        impl Package for $step::Lesson {
+        impl $crate::every_step::Package for $step::Lesson {
             const NAME: &'static str = stringify!($step);
 
-            fn pixel_center(col: usize, row: usize, width: usize, height: usize) -> (f32, f32) {
-                $step::render::pixel_center(col, row, width, height)
+            fn pixel_center(pixel: ::common::Pixel) -> (f32, f32) {
+                $step::render::pixel_center(pixel)
             }
 
             fn render_loop(
-                camera: &dyn Camera,
-                image: &mut Image<'_>,
-                trace: &dyn Fn(&Ray) -> Color,
+                camera: &dyn ::common::Camera,
+                image: &mut ::common::Image<'_>,
+                trace: &dyn Fn(&::common::Ray) -> ::common::Color,
             ) {
                 $step::render::render(camera, image, trace);
             }
@@ -198,10 +201,7 @@ macro_rules! packages {
     )* };
 }
 
-packages! {
-    step01_rays step02_sphere step03_triangle step04_scene step05_diffuse step06_shadows
-    step07_specular
-}
+pub(crate) use packages;
 
 /// A step's record as a [`Hit`].
 macro_rules! hit {
@@ -210,59 +210,50 @@ macro_rules! hit {
     };
 }
 
-// From step 04 on `intersect` is the trait's, which is then named after the step.
+/// What `$tell` tells the listener that it is given.
+macro_rules! told {
+    ($tell:expr) => {{
+        let mut told = Explanation::new(Pixel { col: 0, row: 0, width: 1, height: 1 });
+        $tell(&mut told);
+        told
+    }};
+}
+
 macro_rules! spheres {
-    ($($step:ident $($surface:ident)?),* $(,)?) => { $(
+    ($($step:ident)*) => { $(
         impl Spheres for $step::Lesson {
             fn sphere(ball: Ball, ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit> {
-                $(use $step::intersection::$surface as _;)?
                 let sphere = $step::sphere::Sphere { center: ball.center, radius: ball.radius };
-                hit!(sphere.intersect(ray, t_min, t_max))
+                hit!(sphere.intersect(ray, t_min, t_max, &mut Silent))
             }
 
-            fn quadratic(ball: Ball, ray: &Ray) -> Quadratic {
+            fn explain_sphere(ball: Ball, ray: &Ray) -> Explanation {
                 let sphere = $step::sphere::Sphere { center: ball.center, radius: ball.radius };
-                let equation = sphere.quadratic(ray);
-                let roots = equation.roots();
-                let $step::sphere::Quadratic { a, b, c, discriminant } = equation;
-                Quadratic { a, b, c, discriminant, roots }
+                told!(|say| sphere.intersect(ray, 0.0, f32::INFINITY, say))
             }
         }
     )* };
 }
 
-spheres! {
-    step02_sphere,
-    step03_triangle,
-    step04_scene Surface,
-    step05_diffuse Surface,
-    step06_shadows Surface,
-    step07_specular Surface,
-}
+spheres!(step02_sphere step03_triangle step04_scene step05_diffuse step06_shadows step07_specular);
 
 macro_rules! triangles {
-    ($($step:ident $($surface:ident)?),* $(,)?) => { $(
+    ($($step:ident)*) => { $(
         impl Triangles for $step::Lesson {
             fn triangle(abc: [Vec3; 3], ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit> {
-                $(use $step::intersection::$surface as _;)?
-                hit!($step::triangle::Triangle::new(abc).intersect(ray, t_min, t_max))
+                let triangle = $step::triangle::Triangle::new(abc);
+                hit!(triangle.intersect(ray, t_min, t_max, &mut Silent))
             }
 
-            fn solve(abc: [Vec3; 3], ray: &Ray) -> Option<(f32, Vec3)> {
-                let solved = $step::triangle::Triangle::new(abc).solve(ray, 0.0, f32::INFINITY);
-                solved.map(|(t, weights)| (t, Vec3::from(weights)))
+            fn explain_triangle(abc: [Vec3; 3], ray: &Ray) -> Explanation {
+                let triangle = $step::triangle::Triangle::new(abc);
+                told!(|say| triangle.intersect(ray, 0.0, f32::INFINITY, say))
             }
         }
     )* };
 }
 
-triangles! {
-    step03_triangle,
-    step04_scene Surface,
-    step05_diffuse Surface,
-    step06_shadows Surface,
-    step07_specular Surface,
-}
+triangles!(step03_triangle step04_scene step05_diffuse step06_shadows step07_specular);
 
 /// `$material` makes the step's material of a [`Paint`], `$k_d` gets its diffuse share back, and
 /// `$light` puts the lights of a [`World`] into its scene.
@@ -272,19 +263,20 @@ macro_rules! scenes {
             type Scene = $step::scene::Scene;
 
             fn scene(world: &World) -> Self::Scene {
-                let spheres = world.spheres.iter().map(|(ball, paint)| $step::scene::Object {
-                    name: "sphere",
-                    material: $material(paint),
-                    surface: $step::sphere::Sphere { center: ball.center, radius: ball.radius },
-                });
-                let triangles = world.triangles.iter().map(|(abc, paint)| $step::scene::Object {
-                    name: "triangle",
-                    material: $material(paint),
-                    surface: $step::triangle::Triangle::new(*abc),
-                });
+                let sphere = |(ball, paint): &(Ball, Paint)| {
+                    let surface =
+                        $step::sphere::Sphere { center: ball.center, radius: ball.radius };
+                    let surface = $step::surface::Surface::Sphere(surface);
+                    $step::scene::Object { name: "sphere", material: $material(paint), surface }
+                };
+                let triangle = |(abc, paint): &([Vec3; 3], Paint)| {
+                    let surface = $step::triangle::Triangle::new(*abc);
+                    let surface = $step::surface::Surface::Triangle(surface);
+                    $step::scene::Object { name: "triangle", material: $material(paint), surface }
+                };
                 let mut scene = $step::scene::lecture_scene();
-                scene.spheres = spheres.collect();
-                scene.triangles = triangles.collect();
+                scene.objects = world.spheres.iter().map(sphere).collect();
+                scene.objects.extend(world.triangles.iter().map(triangle));
                 scene.background = world.background;
                 $light(&mut scene, world);
                 scene
@@ -293,12 +285,12 @@ macro_rules! scenes {
             fn closest(
                 scene: &Self::Scene, ray: &Ray, t_min: f32, t_max: f32,
             ) -> Option<(Hit, Color)> {
-                let (record, object) = scene.intersect(ray, t_min, t_max)?;
+                let (record, object) = scene.intersect(ray, t_min, t_max, &mut Silent)?;
                 hit!(Some(record)).zip(Some($k_d(object.material)))
             }
 
             fn trace(scene: &Self::Scene, ray: &Ray) -> Color {
-                scene.trace(ray, 0.0, f32::INFINITY)
+                scene.trace(ray, 0.0, f32::INFINITY, &mut Silent)
             }
         }
     };
@@ -308,6 +300,7 @@ macro_rules! scenes {
 macro_rules! point_light {
     ($step:ident, $light:expr) => {
         $step::light::PointLight {
+            name: "light",
             position: $light.position,
             intensity: $light.intensity,
             attenuation: $light.attenuation,
@@ -320,9 +313,9 @@ macro_rules! many_lights {
     ($step:ident, $scene:ident, $world:ident) => {
         $scene.lights = $world.lights.iter().map(|light| point_light!($step, light)).collect();
         $scene.lit = $scene.lights.len();
-        $scene.camera_light = $world.camera_light;
         $scene.ambient = $world.ambient;
         $scene.shadows = $world.shadows;
+        $scene.epsilon = $world.epsilon;
     };
 }
 
@@ -359,11 +352,11 @@ scenes! {
         k_d: paint.k_d,
         k_s: paint.k_s,
         exponent: paint.exponent,
+        phong: paint.phong,
     },
     |material: step07_specular::material::Material| material.k_d,
     |scene: &mut step07_specular::scene::Scene, world: &World| {
         many_lights!(step07_specular, scene, world);
-        scene.phong = world.phong;
     },
 }
 
@@ -374,8 +367,9 @@ impl Lights for step07_specular::Lesson {}
 macro_rules! shadows {
     ($($step:ident)*) => { $(
         impl Shadows for $step::Lesson {
-            fn is_blocked(scene: &Self::Scene, ray: &Ray, t_min: f32, t_max: f32) -> bool {
-                scene.blocker(ray, t_min, t_max).is_some()
+            fn is_visible(scene: &Self::Scene, position: Vec3, point: Vec3) -> bool {
+                let light = point_light!($step, Light::new(position, 1.0));
+                scene.is_visible(&light, point, &mut Silent)
             }
         }
     )* };
@@ -414,10 +408,11 @@ macro_rules! checks {
             $( $crate::checks!(@@ $step $checks); )*
         }
     };
-    (@@ $step:ident { $($check:ident),* $(,)? }) => {
+    (@@ $step:ident { $($(#[$attribute:meta])* $check:ident),* $(,)? }) => {
         mod $step {
             $(
                 #[test]
+                $(#[$attribute])*
                 fn $check() {
                     super::super::$check::<::$step::Lesson>();
                 }

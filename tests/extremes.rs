@@ -195,7 +195,7 @@ fn a_triangle_without_numbers_is_never_hit<S: Triangles>() {
 
 /// A sphere in the middle, another and a floor of two triangles in front of it, and a light.
 fn world() -> World {
-    let paint = |color| Paint { k_a: 0.1 * color, k_d: color, k_s: 0.5, exponent: 50.0 };
+    let paint = |color| Paint { k_a: 0.1 * color, k_s: 0.5, exponent: 50.0, ..Paint::matte(color) };
     let ball = |x, y, z| Ball { center: Vec3::new(x, y, z), radius: 0.7 };
     let [a, b, c, d] =
         [(-4.0, -4.0), (-4.0, 4.0), (4.0, 4.0), (4.0, -4.0)].map(|(x, z)| Vec3::new(x, -0.5, z));
@@ -381,13 +381,13 @@ fn spheres_are_hit_to_within_a_pixel<S: Spheres>() {
     }
 }
 
-/// By how many pixels a hit on a triangle is off its plane, at worst, seen from `height` over it and
-/// `offset` away from the world's origin.
+/// How far a hit on a triangle is off its plane, at worst, in the triangle's sizes and in pixels,
+/// seen from `height` over it and `offset` away from the world's origin.
 ///
 /// # Panics
 ///
 /// When a point inside is missed, or one outside is hit.
-fn worst_of_triangle<S: Triangles>(size: f64, height: f64, offset: f64) -> f64 {
+fn worst_of_triangle<S: Triangles>(size: f64, height: f64, offset: f64) -> [f64; 2] {
     let [axis, right, up] = frame();
     let eye = (offset * DVec3::new(1.0, -0.7, 0.4)).as_vec3a();
     let vertices = [0.0, 1.0, 2.0].map(|third: f64| {
@@ -397,36 +397,48 @@ fn worst_of_triangle<S: Triangles>(size: f64, height: f64, offset: f64) -> f64 {
     // From here on the numbers in f32 are taken at their word.
     let [a, b, c] = vertices.map(|vertex| vertex.as_dvec3());
     let normal = (b - a).cross(c - a).normalize();
-    let mut worst = 0.0f64;
+    let mut worst = [0.0f64; 2];
+    let mut look = |aim: DVec3, inside: bool| {
+        let ray = Ray::new(eye, aim.normalize().as_vec3a());
+        let hit = S::triangle(vertices, &ray, 0.0, f32::INFINITY);
+        assert_eq!(hit.is_some(), inside, "{}: towards {aim}", S::NAME);
+        if let Some(hit) = hit {
+            let off = normal.dot(hit.point.as_dvec3() - a).abs();
+            for (worst, unit) in worst.iter_mut().zip([size, pixel() * aim.length()]) {
+                *worst = worst.max(off / unit);
+            }
+        }
+    };
     // No sum of two of them is 1, where the edge is.
     let parts = || (-8..=24).map(|part| (f64::from(part) + 0.4) / 17.0);
     for (beta, gamma) in parts().flat_map(|beta| parts().map(move |gamma| (beta, gamma))) {
-        let aim = a + beta * (b - a) + gamma * (c - a) - eye.as_dvec3();
-        let ray = Ray::new(eye, aim.normalize().as_vec3a());
-        let hit = S::triangle(vertices, &ray, 0.0, f32::INFINITY);
         let inside = beta > 0.0 && gamma > 0.0 && beta + gamma < 1.0;
-        assert_eq!(hit.is_some(), inside, "{}: at β {beta}, γ {gamma}", S::NAME);
-        if let Some(hit) = hit {
-            let off = normal.dot(hit.point.as_dvec3() - a).abs();
-            worst = worst.max(off / (pixel() * aim.length()));
-        }
+        look(a + beta * (b - a) + gamma * (c - a) - eye.as_dvec3(), inside);
+    }
+    // Around the foot of the perpendicular, which is the triangle's centre.
+    for tangent in [0.0, 0.1, 0.5, 1.0].into_iter().filter(|tangent| tangent * height < 0.4 * size)
+    {
+        cone(f64::atan(tangent)).for_each(|direction| look(direction.as_dvec3() * height, true));
     }
     worst
 }
 
-/// For triangles nothing gives way but far from the world's origin: not with vertices a hundred
-/// thousand times as far away as the viewer is above their plane, nor seen from ten thousand times
-/// their size.
+/// A hit on a triangle is off its plane by a few 10⁻⁷ of the triangle's size or of the distance,
+/// whichever is more: from afar by less than 0.01 pixel. From very near, a part of the size is a
+/// larger part of t: near the foot of the perpendicular it is some pixels at 10⁻⁵ of the size.
+/// Far from the world's origin `f32` gives way at some 10⁴ times the viewer's distance.
 fn triangles_are_hit_to_within_a_pixel<S: Triangles>() {
     let step = S::NAME;
     for size in [1e-3, 1.0, 1e3, 1e6] {
         for height in [1e4, 1e3, 100.0, 10.0, 1.0, 0.1, 0.01, 1e-3, 1e-4, 1e-5] {
-            let off = worst_of_triangle::<S>(size, height * size, 0.0);
-            assert!(off < 0.01, "{step}: {off} pixels at {height} sizes over size {size}");
+            let [sizes, pixels] = worst_of_triangle::<S>(size, height * size, 0.0);
+            let at = format!("at {height} sizes over size {size}");
+            assert!(sizes < 3e-7 * f64::max(1.0, height), "{step}: {sizes} of the size {at}");
+            assert!(pixels < f64::max(0.01, 3e-4 / height), "{step}: {pixels} pixels {at}");
         }
     }
     for offset in [10.0, 100.0, 1e3, 1e4] {
-        let off = worst_of_triangle::<S>(1.0, 6.0, offset);
-        assert!(off < 1.0, "{step}: {off} pixels at {offset} from the origin");
+        let [_, pixels] = worst_of_triangle::<S>(1.0, 6.0, offset);
+        assert!(pixels < 1.0, "{step}: {pixels} pixels at {offset} from the origin");
     }
 }

@@ -104,12 +104,13 @@ fn object_order_and_image_order_give_the_same_picture() {
     }
 }
 
+/// At pixels that no figure draws a line or a word over; what `rays` shows is all drawn.
 #[test]
 fn a_pixel_of_a_figure_is_explained_by_its_colour() {
-    for (_, name) in figures() {
+    for (_, name) in figures().into_iter().filter(|(_, name)| name != "rays") {
         let figure = format!("examples/{name}");
         let picture = written(&figure, "-s 400x240", &format!("{name}_explained.png"));
-        for (col, row) in [(7, 200), (90, 120), (200, 40), (260, 80), (399, 239)] {
+        for (col, row) in [(7, 195), (90, 110), (190, 50), (293, 105), (399, 239)] {
             let said = run_well(&figure, &arguments(&format!("-s 400x240 --pixel {col},{row}")));
             let last = said.lines().last().expect("a line");
             let numbers: Vec<u8> =
@@ -142,9 +143,9 @@ fn controls(help: &str) -> Vec<[&str; 4]> {
 fn control(line: &str) -> Option<[&str; 4]> {
     let (name, rest) = line.trim().split_once(' ')?;
     let (takes, default) = rest.trim().strip_suffix(')')?.rsplit_once(" (")?;
-    let (first, _) = takes.split_once(' ')?;
-    let (_, last) = takes.rsplit_once(' ')?;
-    Some([name, first, last, default])
+    let mut values = takes.split([' ', '|']);
+    let first = values.next()?;
+    Some([name, first, values.next_back().unwrap_or(first), default])
 }
 
 /// The figure's own; not those of the camera, which a plot has no use for, nor those that choose

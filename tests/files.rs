@@ -18,8 +18,6 @@ use std::time::Instant;
 use image::DynamicImage;
 use image::ImageFormat;
 use image::RgbImage;
-use png::BitDepth;
-use png::ColorType;
 use tempfile::TempDir;
 use tempfile::tempdir;
 use tests::STEPS;
@@ -30,7 +28,6 @@ use tests::mend_checksums;
 use tests::only_line;
 use tests::picture;
 use tests::read_picture;
-use tests::say;
 use tests::step;
 
 const STEP: &str = STEPS[6];
@@ -195,26 +192,29 @@ fn a_link_stays_a_link() {
     use std::os::unix::fs::symlink;
 
     let folder = folder();
-    symlink("old.png", folder.path().join("link.png")).expect("linked");
-    assert_eq!(run(folder.path(), &["-s", "16x9", "-o", "link.png"]).status.code(), Some(0));
-    assert!(folder.path().join("link.png").is_symlink());
-    assert_eq!(read_picture(&folder.path().join("old.png")), expected(6, 16, 9));
-    assert_eq!(files(folder.path()), ["link.png", "old.png"]);
-}
-
-#[cfg(unix)]
-#[test]
-fn a_link_to_a_file_that_is_not_there_yet_stays_a_link() {
-    use std::os::unix::fs::symlink;
-
-    let folder = folder();
     fs::create_dir(folder.path().join("a")).expect("created");
     symlink("a/b.png", folder.path().join("1.png")).expect("linked");
     symlink("../new.png", folder.path().join("a/b.png")).expect("linked");
-    assert_eq!(run(folder.path(), &["-s", "16x9", "-o", "1.png"]).status.code(), Some(0));
-    assert_eq!(read_picture(&folder.path().join("new.png")), expected(6, 16, 9));
-    assert_eq!(files(folder.path()), ["1.png", "a", "new.png", "old.png"]);
-    assert!(folder.path().join("1.png").is_symlink() && folder.path().join("a/b.png").is_symlink());
+    // At first the file is not there yet.
+    for (width, height) in [(16, 9), (9, 16)] {
+        let output = run(folder.path(), &["-s", &format!("{width}x{height}"), "-o", "1.png"]);
+        assert_eq!(output.status.code(), Some(0), "{}", only_line(&output));
+        let found = read_picture(&folder.path().join("new.png"));
+        assert_eq!(found, expected(6, width, height));
+        assert_eq!(files(folder.path()), ["1.png", "a", "new.png", "old.png"]);
+        let links = ["1.png", "a/b.png"].map(|link| folder.path().join(link).is_symlink());
+        assert_eq!(links, [true, true]);
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_pipe_gets_the_picture_itself() {
+    let folder = folder();
+    let output = run(folder.path(), &["-s", "16x9", "-o", "/dev/stdout"]);
+    assert_eq!(output.status.code(), Some(0), "{}", only_line(&output));
+    let found = image::load_from_memory_with_format(&output.stdout, ImageFormat::Png);
+    assert_eq!(found.expect("a PNG").into_rgb8(), expected(6, 16, 9));
 }
 
 #[cfg(unix)]
@@ -245,21 +245,6 @@ fn a_disk_that_is_full_half_way_keeps_the_old_file() {
     assert_failed(folder.path(), &output, "cannot write old.png: ", "another file or folder");
 }
 
-/// What was left by a run that was killed is in nobody's way, whatever its process id.
-#[cfg(unix)]
-#[test]
-fn a_leftover_of_the_same_process_id_is_left_alone() {
-    let folder = folder();
-    let program = command(STEP, folder.path());
-    let script = r#"echo left > .picture-$$-0.part; exec "$0" -s 16x9 -o old.png"#;
-    let mut shell = Command::new("sh");
-    shell.current_dir(folder.path()).args(["-c", script]).arg(program.get_program());
-    let output = shell.output().expect("sh runs");
-    assert_eq!(output.status.code(), Some(0), "{}", only_line(&output));
-    assert_eq!(read_picture(&folder.path().join("old.png")), expected(6, 16, 9));
-    assert_eq!(files(folder.path()).len(), 2);
-}
-
 /// Whether `child` ends by itself while one may wait; it is killed if not.
 fn ends(child: &mut Child) -> bool {
     let deadline = Instant::now() + Duration::from_secs(20);
@@ -273,209 +258,43 @@ fn ends(child: &mut Child) -> bool {
     false
 }
 
-/// At many moments, before, while and after the picture is rendered and written.
-#[cfg(unix)]
-mod ended {
-    use super::*;
-
-    /// When a program is told to end.
-    #[derive(Clone, Copy, Debug)]
-    enum Moment {
-        /// After this share of the time that it takes undisturbed.
-        After(f64),
-        /// When the folder is no longer as it was.
-        Writing,
-    }
-
-    const ARGUMENTS: [&str; 4] = ["-s", "1200x900", "-o", "old.png"];
-
-    /// Whether these tests were started with a signal ignored, as after `nohup` or in a script's
-    /// background. The programs that they start then ignore it too, and no shell can change that.
-    fn is_ignored(signal: &str) -> bool {
-        let script = r#"trap "exit 1" "$0"; kill -s "$0" $$"#;
-        Command::new("sh").args(["-c", script, signal]).status().expect("sh runs").success()
-    }
-
-    /// It may have ended before.
-    fn send(signal: &str, child: &Child) {
-        let kill = format!("kill -{signal} {}", child.id());
-        let _ = Command::new("sh").args(["-c", &kill]).stderr(Stdio::null()).status();
-    }
-
-    /// Sends `signal` at each moment, has `check` look at the folder, and returns the moments with
-    /// the exit statuses.
-    fn at_all_moments(signal: &str, check: impl Fn(&Path)) -> Vec<(Moment, Option<i32>)> {
-        let whole = folder();
-        let start = Instant::now();
-        assert_eq!(run(whole.path(), &ARGUMENTS).status.code(), Some(0));
-        let duration = start.elapsed();
-        let new = fs::read(whole.path().join("old.png")).expect("it is there");
-
-        let shares = (0..=6).map(|sixths| Moment::After(f64::from(sixths) / 6.0));
-        let moments = shares.chain([Moment::Writing; 4]);
-        let statuses = moments.map(|moment| {
-            let folder = folder();
-            let mut program = command(STEP, folder.path());
-            let program = program.args(ARGUMENTS).stderr(Stdio::null());
-            let mut child = program.spawn().expect("it runs");
-            match moment {
-                Moment::After(share) => thread::sleep(duration.mul_f64(share)),
-                Moment::Writing => {
-                    let old = folder.path().join("old.png");
-                    let size = || fs::metadata(&old).expect("it is there").len();
-                    while child.try_wait().expect("it is a child").is_none()
-                        && files(folder.path()).len() == 1
-                        && size() == OLD.len() as u64
-                    {
-                        thread::yield_now();
-                    }
-                }
-            }
-            send(signal, &child);
-            assert!(ends(&mut child), "SIG{signal} does not end it");
-            let status = child.wait().expect("it ended").code();
-            let found = fs::read(folder.path().join("old.png")).expect("it is there");
-            let is_old = found == OLD.as_bytes();
-            assert!(is_old || found == new, "SIG{signal} {moment:?} left a broken file");
-            check(folder.path());
-            (moment, status)
-        });
-        statuses.collect()
-    }
-
-    /// The program ends by itself with what `signal` asks for, and leaves nothing behind.
-    fn is_tidy_after(signal: &str) {
-        // The program then leaves all of them as they are.
-        if ["INT", "TERM", "HUP"].into_iter().any(is_ignored) {
-            return say(&format!("not tested: what SIG{signal} does, as these tests ignore one"));
-        }
-        let statuses =
-            at_all_moments(signal, |folder| assert_eq!(files(folder), ["old.png"], "SIG{signal}"));
-        for (moment, status) in &statuses {
-            let expected = match (moment, status) {
-                // Before it listens for signals, it is the system that ends it.
-                (Moment::After(_), None) => true,
-                // Too late, all was done.
-                (_, Some(130 | 0)) => true,
-                _ => false,
-            };
-            assert!(expected, "SIG{signal} {moment:?}: {status:?}");
-        }
-        let handled = statuses.iter().any(|(_, status)| *status == Some(130));
-        assert!(handled, "SIG{signal} never ended it with status 130: {statuses:?}");
-    }
-
-    #[test]
-    fn an_interrupted_program_leaves_the_old_file_or_the_new_one_and_nothing_else() {
-        is_tidy_after("INT");
-    }
-
-    #[test]
-    fn a_terminated_program_leaves_the_old_file_or_the_new_one_and_nothing_else() {
-        is_tidy_after("TERM");
-    }
-
-    #[test]
-    fn a_program_whose_terminal_was_closed_leaves_the_old_file_or_the_new_one() {
-        is_tidy_after("HUP");
-    }
-
-    /// As after `nohup`.
-    #[test]
-    fn a_program_that_was_started_to_outlive_its_terminal_does() {
-        let folder = folder();
-        let program = command(STEP, folder.path());
-        let script = r#"trap "" HUP; echo; exec "$0" "$@""#;
-        let mut shell = Command::new("sh");
-        shell.current_dir(folder.path()).args(["-c", script]).arg(program.get_program());
-        shell.args(ARGUMENTS).stdout(Stdio::piped()).stderr(Stdio::null());
-        let mut child = shell.spawn().expect("sh runs");
-        child.stdout.take().expect("a pipe").read_exact(&mut [0]).expect("it has begun");
-        while child.try_wait().expect("it is a child").is_none() {
-            send("HUP", &child);
-        }
-        assert_eq!(child.wait().expect("it ended").code(), Some(0));
-        assert_eq!(read_picture(&folder.path().join("old.png")), expected(6, 1200, 900));
-    }
-
-    #[test]
-    fn a_killed_program_leaves_the_old_file_or_the_new_one() {
-        at_all_moments("KILL", |folder| {
-            let files = files(folder);
-            let known = |name: &&OsStr| *name != "old.png";
-            for left in files.iter().map(|name| name.as_os_str()).filter(known) {
-                assert_eq!(Path::new(left).extension(), Some(OsStr::new("part")), "{left:?}");
-            }
-        });
-    }
-}
-
-/// A PNG of `width` × `height` pixels with `data` for its rows.
-fn png(
-    (width, height): (u32, u32), color: ColorType, depth: BitDepth, palette: Option<Vec<u8>>,
-    data: &[u8],
-) -> Vec<u8> {
-    let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, width, height);
-    encoder.set_color(color);
-    encoder.set_depth(depth);
-    if let Some(palette) = palette {
-        encoder.set_palette(palette);
-    }
-    let mut writer = encoder.write_header().expect("a header");
-    writer.write_image_data(data).expect("rows");
-    writer.finish().expect("an end");
-    bytes
+/// The bytes of a PNG.
+fn png(picture: impl Into<DynamicImage>) -> Vec<u8> {
+    let mut bytes = Cursor::new(Vec::new());
+    picture.into().write_to(&mut bytes, ImageFormat::Png).expect("encoded");
+    bytes.into_inner()
 }
 
 /// The white sphere of step 02 on black is a picture that every kind of PNG can hold.
 #[test]
 fn a_png_of_any_kind_is_compared() {
-    let expected = expected(1, 32, 18);
-    let size = expected.dimensions();
-    let image = DynamicImage::ImageRgb8(expected.clone());
-    let encoded = |image: DynamicImage| {
-        let mut bytes = Cursor::new(Vec::new());
-        image.write_to(&mut bytes, ImageFormat::Png).expect("encoded");
-        bytes.into_inner()
-    };
-    let white = |pixel: &image::Rgb<u8>| u8::from(pixel.0 != [0, 0, 0]);
-    assert!(expected.pixels().all(|pixel| [0, 255].contains(&pixel.0[0])), "not black and white");
-    let indices: Vec<u8> = expected.pixels().map(white).collect();
-    let bits: Vec<u8> =
-        indices.chunks(8).map(|bits| bits.iter().fold(0, |byte, bit| 2 * byte + bit)).collect();
-    let palette = Some(vec![0, 0, 0, 255, 255, 255]);
-    let kinds = [
-        ("8-bit RGB", encoded(image.clone())),
-        ("8-bit RGBA", encoded(image.to_rgba8().into())),
-        ("8-bit grey", encoded(image.to_luma8().into())),
-        ("8-bit grey and alpha", encoded(image.to_luma_alpha8().into())),
-        ("16-bit RGB", encoded(image.to_rgb16().into())),
-        ("16-bit RGBA", encoded(image.to_rgba16().into())),
-        ("16-bit grey", encoded(image.to_luma16().into())),
-        ("16-bit grey and alpha", encoded(image.to_luma_alpha16().into())),
-        ("1-bit grey", png(size, ColorType::Grayscale, BitDepth::One, None, &bits)),
-        (
-            "8-bit palette",
-            png(size, ColorType::Indexed, BitDepth::Eight, palette.clone(), &indices),
-        ),
-        ("1-bit palette", png(size, ColorType::Indexed, BitDepth::One, palette, &bits)),
+    let image = DynamicImage::ImageRgb8(expected(1, 32, 18));
+    let kinds: [DynamicImage; 8] = [
+        image.to_rgb8().into(),
+        image.to_rgba8().into(),
+        image.to_luma8().into(),
+        image.to_luma_alpha8().into(),
+        image.to_rgb16().into(),
+        image.to_rgba16().into(),
+        image.to_luma16().into(),
+        image.to_luma_alpha16().into(),
     ];
     let folder = tempdir().expect("a folder");
-    for (kind, bytes) in kinds {
-        fs::write(folder.path().join("a.png"), bytes).expect("written");
+    for image in kinds {
+        let kind = image.color();
+        fs::write(folder.path().join("a.png"), png(image)).expect("written");
         let mut program = command(STEPS[1], folder.path());
         let output = program.args(["-s", "32x18", "--compare", "a.png"]).output().expect("it runs");
         let said = only_line(&output);
         let found = String::from_utf8_lossy(&output.stdout);
-        assert_eq!(found, "a.png: equal to the last digit\n", "{kind}: {said}");
-        assert_eq!(output.status.code(), Some(0), "{kind}");
+        assert_eq!(found, "a.png: equal to the last digit\n", "{kind:?}: {said}");
+        assert_eq!(output.status.code(), Some(0), "{kind:?}");
     }
 }
 
 #[test]
 fn what_is_no_picture_is_refused_in_one_line() {
-    let whole = png((9, 9), ColorType::Rgb, BitDepth::Eight, None, &[0; 3 * 81]);
+    let whole = png(RgbImage::new(9, 9));
     let mut gigantic = whole.clone();
     // The size stands behind the signature, the length and the name of the first chunk.
     gigantic[16..24].copy_from_slice(&[0x7f, 0xff, 0xff, 0xff, 0x7f, 0xff, 0xff, 0xff]);

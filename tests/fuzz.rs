@@ -11,8 +11,13 @@ use std::fs;
 
 use common::Color;
 use common::Frame;
+use common::Pixel;
+use common::Projection;
 use common::Ray;
+use common::Setup;
+use common::Silent;
 use common::Size;
+use common::Step;
 use common::Vec3;
 use common::View;
 use image::ExtendedColorType;
@@ -28,6 +33,7 @@ use step07_specular::material::Material;
 use step07_specular::scene::Object;
 use step07_specular::scene::Scene;
 use step07_specular::sphere::Sphere;
+use step07_specular::surface::Surface;
 use step07_specular::triangle::Triangle;
 use tempfile::tempdir;
 use tests::STEPS;
@@ -38,6 +44,7 @@ use tests::files;
 use tests::mend_checksums;
 use tests::only_line;
 use tests::picture;
+use tests::setup;
 use tests::step;
 
 /// Text that is nearly right, or anything but a NUL, which no argument can have.
@@ -63,10 +70,7 @@ fn number() -> impl Strategy<Value = String> {
 
 /// One to two arguments: a flag with something it may or may not take, or any text.
 fn arguments() -> impl Strategy<Value = Vec<String>> {
-    let controls: Vec<String> = {
-        let mut step = step(6);
-        step.controls().iter().map(|control| control.name.clone()).collect()
-    };
+    let controls: Vec<String> = setup(6).list().into_iter().map(|setting| setting.name).collect();
     let words = |words: &'static [&'static str]| select(words).prop_map(str::to_owned).boxed();
     let two = |separator: &'static str| {
         (0..70usize, 0..70usize).prop_map(move |(a, b)| format!("{a}{separator}{b}")).boxed()
@@ -184,23 +188,21 @@ proptest! {
         place in any::<prop::sample::Index>(),
         value in prop_oneof![3 => number(), 1 => text()],
     ) {
-        let mut step = step(index);
-        let mut controls = step.controls();
-        let control = place.get(&controls).name.clone();
-        let control = controls.iter_mut().find(|known| known.name == control).expect("it is one");
-        let before = (control.text(), control.fraction());
-        match control.set(&value) {
+        let mut setup = setup(index);
+        let before = setup.list();
+        let name = &place.get(&before).name;
+        let of = |setup: &mut Setup| setup.list().into_iter().find(|known| known.name == *name);
+        match setup.set(name, &value) {
             Ok(()) => {
-                let fraction = control.fraction();
-                prop_assert!((0.0..=1.0).contains(&fraction));
+                let taken = of(&mut setup).expect("it is still there");
+                prop_assert!((0.0..=1.0).contains(&taken.fraction));
                 // What is shown can be typed, and leaves the control where it is.
-                let shown = control.text();
-                prop_assert_eq!(control.set(&shown), Ok(()));
-                prop_assert_eq!(control.text(), shown);
+                prop_assert_eq!(setup.set(name, &taken.text), Ok(()));
+                prop_assert_eq!(of(&mut setup).map(|setting| setting.text), Some(taken.text));
             }
             Err(refused) => {
-                prop_assert_eq!(before, (control.text(), control.fraction()));
-                prop_assert!(refused.to_string().contains(&control.takes()));
+                prop_assert!(refused.to_string().contains(&place.get(&before).takes));
+                prop_assert_eq!(before, setup.list());
             }
         }
     }
@@ -211,16 +213,18 @@ proptest! {
         scene in scene(),
         [origin, direction] in [uniform3(bits()), uniform3(bits())],
         [field_of_view, azimuth, distance] in uniform3(bits()),
-        projection in 0..2usize,
+        projection in select(vec![Projection::Perspective, Projection::Parallel]),
     ) {
-        let lesson = Lesson { scene, ..Lesson::default() };
-        lesson.trace(&Ray::new(origin.into(), direction.into()));
+        let lesson = Lesson { scene };
+        lesson.trace(&Ray::new(origin.into(), direction.into()), &mut Silent);
         let mut view = View::new(origin.into(), direction.into(), field_of_view);
         (view.azimuth, view.distance, view.projection) = (azimuth, distance, projection);
         let camera = view.camera(2.0);
         let size = Size::new(4, 2).expect("a size");
         let frame = Frame { step: &lesson, camera: &*camera, size, samples: 2 };
         prop_assert_eq!(frame.render(), frame.render());
+        let pixel = Pixel { col: 1, row: 1, width: 4, height: 2 };
+        prop_assert!(!lesson.explain(&*camera, pixel).to_string().is_empty());
     }
 }
 
@@ -232,45 +236,32 @@ fn bits() -> impl Strategy<Value = f32> {
 fn scene() -> impl Strategy<Value = Scene> {
     let point = || uniform3(bits()).prop_map(Vec3::from);
     let color = || uniform3(bits()).prop_map(Color::from);
-    let material = || {
-        (color(), color(), bits(), bits()).prop_map(|(k_a, k_d, k_s, exponent)| Material {
-            k_a,
-            k_d,
-            k_s,
-            exponent,
-        })
-    };
-    let sphere = (point(), bits(), material()).prop_map(|(center, radius, material)| Object {
-        name: "sphere",
+    let material = (color(), color(), bits(), bits(), any::<bool>())
+        .prop_map(|(k_a, k_d, k_s, exponent, phong)| Material { k_a, k_d, k_s, exponent, phong });
+    let sphere = (point(), bits())
+        .prop_map(|(center, radius)| Surface::Sphere(Sphere { center, radius }))
+        .boxed();
+    let triangle = uniform3(point()).prop_map(|abc| Surface::Triangle(Triangle::new(abc)));
+    let object = (prop_oneof![sphere, triangle], material).prop_map(|(surface, material)| Object {
+        name: "object",
         material,
-        surface: Sphere { center, radius },
-    });
-    let triangle = (point(), point(), point(), material()).prop_map(|(a, b, c, material)| Object {
-        name: "triangle",
-        material,
-        surface: Triangle::new([a, b, c]),
+        surface,
     });
     let light = (point(), bits(), any::<bool>()).prop_map(|(position, intensity, attenuation)| {
-        PointLight { position, intensity, attenuation }
+        PointLight { name: "light", position, intensity, attenuation }
     });
-    let switches = (any::<bool>(), any::<bool>(), uniform3(any::<bool>()), 0..4usize);
-    let objects = (vec(sphere, 0..4), vec(triangle, 0..4), vec(light, 0..3));
-    (objects, color(), uniform3(bits()), switches).prop_map(
-        |((spheres, triangles, lights), background, amounts, (shadows, phong, terms, lit))| {
-            let [camera_light, ambient, epsilon] = amounts;
-            Scene {
-                spheres,
-                triangles,
-                background,
-                lights,
-                lit,
-                camera_light,
-                ambient,
-                shadows,
-                epsilon,
-                phong,
-                terms,
-            }
+    let numbers = (bits(), bits(), uniform3(bits()));
+    let lists = (vec(object, 0..8), vec(light, 0..3));
+    (lists, color(), numbers, any::<bool>(), 0..4usize).prop_map(
+        |((objects, lights), background, (ambient, epsilon, weights), shadows, lit)| Scene {
+            objects,
+            background,
+            lights,
+            lit,
+            ambient,
+            shadows,
+            epsilon,
+            weights,
         },
     )
 }

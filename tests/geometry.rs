@@ -14,6 +14,7 @@ use tests::every_step::World;
 use tests::every_step::hit;
 use tests::every_step::miss;
 use tests::every_step::near;
+use tests::every_step::number;
 
 checks!(spheres {
     a_ray_from_outside_hits_the_near_side,
@@ -111,9 +112,15 @@ fn a_ray_along_any_axis_hits<S: Spheres>() {
     }
 }
 
+/// The roots of the equation, the smaller one first.
+fn roots<S: Spheres>(ball: Ball, ray: &Ray) -> Option<[f32; 2]> {
+    let told = S::explain_sphere(ball, ray);
+    Some([number(&told, "t₁")?, number(&told, "t₂")?])
+}
+
 fn the_discriminant_has_three_cases<S: Spheres>() {
     let unit = Ball { center: Vec3::ZERO, radius: 1.0 };
-    let roots = |x| S::quadratic(unit, &down(x, 0.0)).roots;
+    let roots = |x| roots::<S>(unit, &down(x, 0.0));
     let (step, beside) = (S::NAME, 1.0 / 1024.0);
 
     let two = roots(1.0 - beside);
@@ -148,17 +155,27 @@ fn a_point_on_a_sphere_does_not_hit_itself<S: Spheres>() {
 
 fn a_longer_direction_solves_the_same_equation<S: Spheres>() {
     let step = S::NAME;
-    let long = Ray::new(Vec3::new(1.0, 2.0, 10.0), Vec3::new(0.0, 0.0, -4.0));
-    let equation = S::quadratic(BALL, &long);
-    let why = "with o = p − center = (0, 0, 7) and d = (0, 0, −4)";
-    near::<S, _>("a = d·d", equation.a, 16.0, why);
-    near::<S, _>("b = d·o", equation.b, -28.0, why);
-    near::<S, _>("c = o·o − radius²", equation.c, 45.0, why);
-    // 784 and 720, whose last bits are that much larger.
-    near::<S, _>("b² − a c", equation.discriminant / 64.0, 1.0, why);
-    let Some([t1, t2]) = equation.roots else { panic!("{step}: there are no roots {why}") };
-    near::<S, _>("t₁", t1, 1.25, "t = (−b ± √discriminant) / a: the slide's a = 1 needs |d| = 1");
-    near::<S, _>("t₂", t2, 2.25, "t = (−b ± √discriminant) / a: the slide's a = 1 needs |d| = 1");
+    let long = Ray::new(Vec3::new(1.0, 2.0, 10.0), Vec3::new(1.0, 0.0, -4.0));
+    let told = S::explain_sphere(BALL, &long);
+    let why = "from t₀ with o = (28, 0, 7) / 17 and d = (1, 0, −4)";
+    let o = (28.0 * 28.0 + 7.0 * 7.0) / (17.0 * 17.0);
+    for (symbol, expected) in [
+        ("a", 17.0),
+        ("t₀", 28.0 / 17.0),
+        ("b", 0.0),
+        ("c", o - 4.0),
+        ("discriminant", 17.0 * (4.0 - o)),
+    ] {
+        let found = number(&told, symbol).unwrap_or(f32::NAN);
+        near::<S, _>(symbol, found, expected, why);
+    }
+    let Some([t1, t2]) = roots::<S>(BALL, &long) else {
+        panic!("{step}: there are no roots {why}")
+    };
+    let half = ((4.0 - o) / 17.0).sqrt();
+    let why = "t = t₀ + (−b ± √discriminant) / a: the slide's a = 1 needs |d| = 1";
+    near::<S, _>("t₁", t1, 28.0 / 17.0 - half, why);
+    near::<S, _>("t₂", t2, 28.0 / 17.0 + half, why);
 }
 
 fn same_ray<S: Spheres>(ray: &Ray, intersect: impl Fn(&Ray) -> Option<Hit>) {

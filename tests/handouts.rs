@@ -1,6 +1,8 @@
-//! What the READMEs say is so: links and pictures are there, commands run, controls exist, lines to
-//! be changed are in the code, slides have their titles, and both languages say the same.
+//! What the READMEs say is so: links and pictures are there, commands run, controls exist, what is to
+//! be seen is seen, quoted lines are in the code, slides have their titles, and both languages say the
+//! same. What is the same in both is tried in English alone.
 
+use std::cmp::Ordering;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
@@ -8,6 +10,7 @@ use std::path::PathBuf;
 use std::process::Output;
 
 use common::Frame;
+use common::Setup;
 use common::Size;
 use pulldown_cmark::CodeBlockKind;
 use pulldown_cmark::Event;
@@ -19,10 +22,12 @@ use pulldown_cmark::TagEnd;
 use tests::STEPS;
 use tests::X11;
 use tests::command;
-use tests::controls;
 use tests::empty_folder;
+use tests::files;
 use tests::hold_picture;
+use tests::picture_of;
 use tests::root;
+use tests::setup;
 use tests::step;
 
 /// A part of a README that can be held to something.
@@ -40,6 +45,8 @@ enum Part {
     Code(String),
     /// **`code`**, which is how the handouts write a control.
     Control(String),
+    /// A formula in TeX, without its words.
+    Formula(String),
     Text(String),
     Html(String),
 }
@@ -59,6 +66,10 @@ impl Readme {
     /// Where it lies, from the root.
     fn name(&self) -> String {
         self.path.display().to_string()
+    }
+
+    fn is_translated(&self) -> bool {
+        self.name().ends_with(".pt-BR.md")
     }
 
     /// The step that it is the handout of.
@@ -145,11 +156,27 @@ fn parts(text: &str) -> Vec<Part> {
                 *table.expect("a row is in a table") += 1;
             }
             Event::Start(Tag::Item) => parts.push(Part::ListItem),
+            Event::InlineMath(formula) | Event::DisplayMath(formula) => {
+                parts.push(Part::Formula(without_words(formula)));
+            }
             Event::Html(html) | Event::InlineHtml(html) => parts.push(Part::Html(html.to_string())),
             _ => {}
         }
     }
     parts
+}
+
+/// A formula in TeX without what stands in its `\text{}`.
+fn without_words(formula: &str) -> String {
+    let mut pieces = formula.split("\\text{");
+    let first = pieces.next().unwrap_or("");
+    let rest = pieces.map(|piece| piece.split_once('}').map_or("", |(_, rest)| rest));
+    std::iter::once(first).chain(rest).collect::<Vec<_>>().join("\\text{}")
+}
+
+/// All READMEs that are no translation.
+fn originals() -> impl Iterator<Item = Readme> {
+    readmes().into_iter().filter(|readme| !readme.is_translated())
 }
 
 /// All READMEs: those of the root, of the steps, and of whatever else holds one.
@@ -249,6 +276,7 @@ const NOT_RUN: &[&str] = &[
     "UPDATE_SNAPSHOTS=1 cargo test",
     "cargo bench",
     "cargo test",
+    "cd ",
     "git clone",
     "git restore",
     "git switch",
@@ -329,10 +357,19 @@ fn try_command(command: &str, folder: &Path) -> Result<(), String> {
                 Some(example) if exists(&format!("{package}/examples/{example}.rs")) => {
                     format!("examples/{example}")
                 }
-                None if STEPS.contains(package) => (*package).to_owned(),
+                None if exists(&format!("{package}/main.rs")) => (*package).to_owned(),
                 _ => return Err("there is no such program".to_owned()),
             };
-            try_program(&name, arguments, folder)
+            match arguments {
+                // It would build inside of the tests.
+                ["--check", before] => {
+                    match STEPS.windows(2).any(|pair| pair == [*before, package]) {
+                        true => Ok(()),
+                        false => Err(format!("{before} is not the step before")),
+                    }
+                }
+                arguments => try_program(&name, arguments, folder),
+            }
         }
         ["git", "diff", "--no-index", paths @ ..] => {
             match paths.iter().find(|path| !exists(path)) {
@@ -356,7 +393,7 @@ fn try_command(command: &str, folder: &Path) -> Result<(), String> {
 #[test]
 fn every_command_runs() {
     let mut wrong = Vec::new();
-    for readme in readmes() {
+    for readme in originals() {
         let inline = readme
             .codes()
             .filter(|code| ["cargo ", "git "].iter().any(|program| code.starts_with(program)));
@@ -375,7 +412,7 @@ fn every_command_runs() {
 #[test]
 fn every_setting_changes_the_picture() {
     let mut wrong = Vec::new();
-    for readme in readmes() {
+    for readme in originals() {
         let Some(index) = readme.step() else { continue };
         let (name, folder) = (STEPS[index], folder(&format!("setting {}", readme.name())));
         let picture = |arguments: &[&str]| {
@@ -408,7 +445,7 @@ fn every_setting_changes_the_picture() {
 #[test]
 fn every_control_exists() {
     let mut wrong = Vec::new();
-    for readme in readmes() {
+    for readme in originals() {
         let known: BTreeSet<String> = match readme.step() {
             Some(index) => names_of_controls(index),
             None => (0..STEPS.len()).flat_map(names_of_controls).collect(),
@@ -429,7 +466,7 @@ fn every_flag_is_in_the_help() {
     let help = run(STEPS[0], &["--help"], root()).stdout;
     let help = String::from_utf8(help).expect("the help is text");
     let mut wrong = Vec::new();
-    for readme in readmes() {
+    for readme in originals() {
         // Flags of cargo are spoken of as well.
         let flags = readme.codes().filter(|code| code.starts_with('-') && *code != "--release");
         for flag in flags.filter_map(|code| code.split_whitespace().next()) {
@@ -444,15 +481,13 @@ fn every_flag_is_in_the_help() {
 
 /// The names of a step's controls, and of its camera's.
 fn names_of_controls(index: usize) -> BTreeSet<String> {
-    let mut step = step(index);
-    let mut view = step.view();
-    controls(&mut *step, &mut view).into_iter().map(|control| control.name).collect()
+    setup(index).list().into_iter().map(|setting| setting.name).collect()
 }
 
 #[test]
 fn every_line_to_be_changed_is_in_the_code() {
     let mut wrong = Vec::new();
-    for readme in readmes() {
+    for readme in originals() {
         for block in readme.fences("diff") {
             let (file, change) = block
                 .strip_prefix("--- ")
@@ -466,6 +501,196 @@ fn every_line_to_be_changed_is_in_the_code() {
                 wrong.push(format!("{}: {places} times in {file}: {block}", readme.name()));
             }
         }
+    }
+    none(wrong);
+}
+
+/// What is a step is said once, in `lib.rs` of these tests; folders and the README follow.
+#[test]
+fn steps_are_the_same_everywhere() {
+    let mut folders: Vec<_> =
+        files(root()).into_iter().filter_map(|name| name.into_string().ok()).collect();
+    folders.retain(|name| name.starts_with("step") && root().join(name).is_dir());
+    assert_eq!(folders, STEPS, "the folders, and the list of steps in tests/lib.rs");
+    for readme in ["README.md", "README.pt-BR.md"] {
+        let readme = Readme::read(Path::new(readme));
+        let links = readme.parts.iter().filter_map(|part| match part {
+            Part::Link(link) => link.split_once("/README").map(|(step, _)| step),
+            _ => None,
+        });
+        let mut linked: Vec<_> = links.filter(|step| step.starts_with("step")).collect();
+        linked.dedup();
+        assert_eq!(linked, STEPS, "the handouts in {}", readme.name());
+    }
+}
+
+#[test]
+fn every_quoted_line_is_in_the_code() {
+    let mut wrong = Vec::new();
+    for readme in originals() {
+        for block in readme.fences("rust") {
+            let (file, lines) = block
+                .strip_prefix("// ")
+                .and_then(|block| block.split_once('\n'))
+                .unwrap_or_else(|| panic!("{}: '// FILE' goes before {block}", readme.name()));
+            let code = fs::read_to_string(root().join(file)).unwrap_or_default();
+            let missing = lines.lines().filter(|line| !code.lines().any(|known| known == *line));
+            wrong.extend(missing.map(|line| format!("{}: not in {file}: {line}", readme.name())));
+        }
+    }
+    none(wrong);
+}
+
+/// The setup of a step with what `arguments` set.
+fn set_up(index: usize, arguments: &str) -> Setup {
+    let mut setup = setup(index);
+    let mut words = arguments.split_whitespace();
+    while let Some(flag) = words.next() {
+        let value = words.next().unwrap_or("");
+        let (name, value) = match flag {
+            "--camera" => ("camera", value),
+            _ => value.split_once('=').unwrap_or_else(|| panic!("{arguments}: NAME=VALUE")),
+        };
+        setup.set(name, value).unwrap_or_else(|error| panic!("{arguments}: {error}"));
+    }
+    setup
+}
+
+const BRIGHTER: Ordering = Ordering::Greater;
+const DARKER: Ordering = Ordering::Less;
+const SAME: Ordering = Ordering::Equal;
+
+/// What the handouts say is seen under «Try this»: with the second settings of this step, and not
+/// the first, pixels of 960 × 540 are brighter, darker or the same.
+type Seen = (usize, &'static str, &'static str, &'static [(u32, u32, Ordering)]);
+
+#[rustfmt::skip]
+const SEEN: &[Seen] = &[
+    (1, "", "--set shown=origin", &[(0, 0, BRIGHTER), (480, 270, BRIGHTER), (959, 539, BRIGHTER)]),
+    (1, "--set shown=origin", "--camera parallel --set shown=origin", &[(0, 270, DARKER), (959, 270, BRIGHTER)]),
+    (1, "", "--camera parallel", &[(0, 270, DARKER), (0, 539, DARKER)]),
+    (1, "", "--set fov=170", &[(0, 270, DARKER), (959, 270, BRIGHTER)]),
+    (1, "", "--set azimuth=90", &[(0, 270, BRIGHTER), (959, 270, DARKER)]),
+    (1, "--camera parallel --set shown=origin", "--camera parallel --set shown=origin --set distance=1", &[(0, 539, BRIGHTER), (959, 0, DARKER)]),
+    (2, "", "--set radius=2", &[(0, 0, BRIGHTER), (959, 539, BRIGHTER), (480, 270, SAME)]),
+    (2, "", "--set center.z=3", &[(0, 0, BRIGHTER), (959, 539, BRIGHTER)]),
+    (2, "", "--camera parallel", &[(250, 270, DARKER), (709, 270, DARKER), (263, 270, SAME), (249, 270, SAME)]),
+    (2, "", "--set distance=1.5 --set center.z=3", &[(480, 270, DARKER), (300, 270, DARKER)]),
+    (2, "", "--set center.y=1", &[(480, 270, DARKER), (480, 269, SAME), (480, 20, BRIGHTER)]),
+    (3, "", "--set shown=alpha", &[(673, 399, DARKER), (286, 399, DARKER)]),
+    (3, "--set shown=alpha", "--set shown=beta", &[(286, 399, DARKER), (673, 399, BRIGHTER)]),
+    (3, "--set shown=alpha", "--set shown=gamma", &[(286, 399, DARKER), (480, 110, BRIGHTER)]),
+    (3, "", "--set c.x=1.2", &[(480, 110, DARKER), (720, 110, BRIGHTER)]),
+    (3, "", "--set c.z=2", &[(480, 5, BRIGHTER), (100, 5, SAME)]),
+    (3, "", "--camera parallel --set c.z=2", &[(480, 5, SAME), (480, 110, SAME)]),
+    (3, "", "--set azimuth=180", &[(480, 270, SAME), (100, 270, SAME)]),
+    (3, "", "--set azimuth=90", &[(480, 270, DARKER), (286, 399, DARKER)]),
+    (3, "", "--set c.y=-0.8", &[(480, 270, DARKER), (286, 399, DARKER)]),
+    (4, "", "--set center.z=3", &[(280, 330, BRIGHTER), (480, 500, DARKER), (200, 330, SAME)]),
+    (4, "", "--set center.x=1.7 --set center.z=-0.9", &[(420, 200, BRIGHTER), (628, 140, DARKER), (700, 330, SAME)]),
+    (4, "", "--set center.y=-0.3", &[(420, 200, BRIGHTER), (420, 280, SAME)]),
+    (4, "", "--set elevation=89", &[(480, 20, BRIGHTER)]),
+    (4, "", "--set elevation=-20", &[(420, 280, BRIGHTER), (640, 250, DARKER), (480, 20, BRIGHTER)]),
+    (4, "", "--set sphere=blue --set radius=2", &[(640, 250, DARKER), (420, 280, BRIGHTER), (200, 330, SAME)]),
+    (5, "", "--set light.x=-4", &[(480, 270, DARKER), (330, 270, BRIGHTER)]),
+    (5, "", "--set light.y=1", &[(480, 270, BRIGHTER), (430, 150, DARKER), (940, 200, DARKER)]),
+    (5, "", "--set light.y=-3", &[(480, 270, BRIGHTER), (480, 520, DARKER)]),
+    (5, "", "--set attenuation=off", &[(480, 270, BRIGHTER), (330, 270, SAME)]),
+    (5, "", "--set attenuation=off --set I=1", &[(940, 200, BRIGHTER), (940, 500, SAME)]),
+    (5, "", "--set k_d=0.05", &[(480, 270, DARKER), (600, 330, SAME)]),
+    (5, "", "--set azimuth=60", &[(480, 270, DARKER)]),
+    (6, "", "--set shadows=off", &[(240, 420, BRIGHTER), (560, 420, BRIGHTER), (330, 300, SAME)]),
+    (6, "", "--set lights=1", &[(560, 420, DARKER), (330, 300, DARKER), (480, 270, SAME)]),
+    (6, "", "--set lights=0", &[(480, 270, DARKER), (560, 420, DARKER)]),
+    (6, "", "--set I_a=0", &[(380, 343, DARKER), (480, 270, DARKER)]),
+    (6, "", "--set I_a=5", &[(380, 343, BRIGHTER), (480, 270, BRIGHTER)]),
+    (6, "--set I_a=0", "--set I_a=0 --set light=fill --set light.x=0 --set light.y=2.4 --set light.z=7", &[(380, 343, BRIGHTER), (400, 355, BRIGHTER), (596, 202, BRIGHTER)]),
+    (6, "", "--set epsilon=0.1", &[(560, 420, BRIGHTER), (240, 420, SAME)]),
+    (7, "", "--set p=1000", &[(465, 215, DARKER), (457, 211, SAME)]),
+    (7, "", "--set p=10", &[(440, 225, BRIGHTER), (420, 240, BRIGHTER)]),
+    (7, "", "--set k_s=1", &[(465, 215, BRIGHTER), (420, 240, SAME)]),
+    (7, "", "--set k_s=0", &[(465, 215, DARKER), (420, 240, SAME)]),
+    (7, "", "--set azimuth=30", &[(465, 215, DARKER)]),
+    (7, "", "--set L_a=0 --set L_d=0", &[(465, 215, DARKER), (400, 400, DARKER)]),
+    (7, "", "--set phong=on", &[(465, 215, DARKER), (457, 211, SAME)]),
+    (7, "--set phong=on", "--set phong=on --set p=25", &[(465, 215, BRIGHTER), (440, 225, BRIGHTER)]),
+];
+
+#[test]
+fn what_is_to_be_seen_is_seen() {
+    let mut wrong = Vec::new();
+    for (number, before, after, pixels) in SEEN {
+        let pictures =
+            [before, after].map(|settings| picture_of(&set_up(number - 1, settings), 960, 540));
+        for (col, row, expected) in *pixels {
+            let [before, after_] =
+                pictures.each_ref().map(|picture| picture.get_pixel(*col, *row).0);
+            let light = |pixel: [u8; 3]| pixel.iter().map(|code| u32::from(*code)).sum::<u32>();
+            let found = light(after_).cmp(&light(before));
+            if found != *expected || (found == SAME && before != after_) {
+                wrong.push(format!(
+                    "step {number}, {after}: ({col}, {row}) went from {before:?} to {after_:?}"
+                ));
+            }
+        }
+    }
+    for (index, step) in STEPS.iter().enumerate() {
+        let readme = Readme::read(&Path::new(step).join("README.md"));
+        for part in readme.section("Try this") {
+            if let Part::Code(code) = part
+                && code.starts_with("--")
+                && !["--pixel", "--samples"].iter().any(|flag| code.contains(flag))
+                && !SEEN.iter().any(|(number, _, after, _)| *number == index + 1 && after == code)
+            {
+                wrong.push(format!("{step}: nothing says what is to be seen with {code}"));
+            }
+        }
+    }
+    none(wrong);
+}
+
+/// Lines that `--pixel` prints, spaces apart, where the handouts speak of what they say.
+const TOLD: &[(usize, &str, &[&str])] = &[
+    (1, "--pixel 0,0", &["(u, v) 5.2083e-4 0.999074"]),
+    (1, "--pixel 480,270", &["sRGB, 0 to 255 188 187 0"]),
+    (1, "-s 3x3 --pixel 1,1", &["d 0 0 -1"]),
+    (1, "-s 2x1 --pixel 0,0", &["(u, v) 0.25 0.5"]),
+    (
+        2,
+        "--set center.z=3 --pixel 480,270",
+        &["t₁ = t₀ + (−b − √(b² − a c)) / a -1", "t₂ = t₀ + (−b + √(b² − a c)) / a 1"],
+    ),
+    (
+        2,
+        "--set distance=1.5 --set center.z=3 -s 3x3 --pixel 1,1",
+        &["t₁ = t₀ + (−b − √(b² − a c)) / a -2.5", "t₂ = t₀ + (−b + √(b² − a c)) / a -0.5"],
+    ),
+    (3, "--pixel 100,270", &["outside β < 0"]),
+    (
+        4,
+        "--camera parallel --pixel 480,539",
+        &["p -0.01161 -0.00681 7.56699", "background 0.03 0.05 0.09"],
+    ),
+    (4, "--camera parallel --pixel 480,538", &["color 0.55 0.55 0.55"]),
+    (5, "--pixel 330,270", &["L_d = k_d (I/r²) max(0, n·l) 0 0 0"]),
+    (6, "--pixel 240,420", &["V 1", "V 0", "blocked by green sphere"]),
+    (6, "--set epsilon=0 --pixel 480,270", &["blocked by red sphere"]),
+    (7, "--pixel 465,215", &["cos α = n·h 0.9966545", "L 0.984914 0.446777 0.401932"]),
+];
+
+#[test]
+fn what_a_pixel_tells_is_told() {
+    let mut wrong = Vec::new();
+    for (number, arguments, lines) in TOLD {
+        let words: Vec<&str> = arguments.split_whitespace().collect();
+        let told = run(STEPS[number - 1], &words, root()).stdout;
+        let told = String::from_utf8(told).expect("the explanation is text");
+        let told: Vec<String> = told
+            .lines()
+            .map(|line| line.split_whitespace().collect::<Vec<_>>().join(" "))
+            .collect();
+        let missing = lines.iter().filter(|line| !told.iter().any(|told| told == *line));
+        wrong.extend(missing.map(|line| format!("step {number}, {arguments}: not told: {line}")));
     }
     none(wrong);
 }
@@ -518,33 +743,90 @@ fn every_step_has_a_complete_handout() {
     none(wrong);
 }
 
+/// The numbers in a text, in order of their digits; Portuguese has a decimal comma.
+fn numbers(readme: &Readme) -> Vec<String> {
+    let texts = readme.parts.iter().filter_map(|part| match part {
+        Part::Text(text) | Part::Heading(_, text) => Some(text.as_str()),
+        _ => None,
+    });
+    let text: Vec<char> = texts.collect::<Vec<_>>().join(" ").chars().collect();
+    let mut numbers = vec![String::new()];
+    for (index, c) in text.iter().enumerate() {
+        let beside =
+            |at: Option<usize>| at.and_then(|at| text.get(at)).is_some_and(char::is_ascii_digit);
+        let is_point =
+            ['.', ','].contains(c) && beside(index.checked_sub(1)) && beside(Some(index + 1));
+        match numbers.last_mut() {
+            Some(number) if c.is_ascii_digit() => number.push(*c),
+            Some(number) if is_point => number.push('.'),
+            Some(number) if number.is_empty() => {}
+            _ => numbers.push(String::new()),
+        }
+    }
+    numbers.sort();
+    numbers
+}
+
 #[test]
 fn both_languages_say_the_same() {
-    let english = Readme::read(Path::new("README.md"));
-    let portuguese = Readme::read(Path::new("README.pt-BR.md"));
-    let shape = |readme: &Readme| -> Vec<Part> {
-        let shape = readme.parts.iter().filter_map(|part| match part {
-            Part::Heading(level, _) => Some(Part::Heading(*level, String::new())),
-            Part::Table(..) | Part::ListItem => Some(part.clone()),
-            Part::Fence(language, text) => {
-                Some(Part::Fence(language.clone(), commands(text).collect::<Vec<_>>().join("\n")))
+    let mut wrong = Vec::new();
+    for translated in readmes().into_iter().filter(Readme::is_translated) {
+        let name = translated.name();
+        let original = Readme::read(&PathBuf::from(name.replace(".pt-BR.md", ".md")));
+        let shape = |readme: &Readme| -> Vec<Part> {
+            let shape = readme.parts.iter().filter_map(|part| match part {
+                Part::Heading(level, _) => Some(Part::Heading(*level, String::new())),
+                Part::Table(..) | Part::ListItem | Part::Formula(_) => Some(part.clone()),
+                Part::Fence(language, text) => {
+                    // A layout is explained in comments as well.
+                    let is_code = ["diff", "rust"].contains(&language.as_str());
+                    let lines =
+                        if is_code { text.lines().collect() } else { commands(text).collect() };
+                    let lines: Vec<&str> = lines;
+                    Some(Part::Fence(language.clone(), lines.join("\n")))
+                }
+                // A heading is another one, and so is its anchor.
+                Part::Link(link) if link.starts_with('#') => None,
+                Part::Link(link) => Some(Part::Link(link.replace(".pt-BR.md", ".md"))),
+                Part::Html(html) => {
+                    html.trim_start().starts_with("<details>").then(|| part.clone())
+                }
+                _ => None,
+            });
+            shape.collect()
+        };
+        let shapes = [&original, &translated].map(shape);
+        let differing = shapes[0].iter().zip(&shapes[1]).find(|(one, other)| one != other);
+        if let Some((one, other)) = differing {
+            wrong.push(format!("{name}: {other:?} instead of {one:?}"));
+        } else if shapes[0].len() != shapes[1].len() {
+            wrong.push(format!("{name}: {} parts instead of {}", shapes[1].len(), shapes[0].len()));
+        }
+        // The order of words in a sentence is another one.
+        let sorted = |readme: &Readme| -> Vec<String> {
+            let mut codes: Vec<String> = readme.codes().map(str::to_owned).collect();
+            codes.sort();
+            codes
+        };
+        for list in [sorted, numbers] {
+            let [ours, theirs] = [&original, &translated].map(list);
+            if let Some(index) =
+                (0..ours.len().max(theirs.len())).find(|i| ours.get(*i) != theirs.get(*i))
+            {
+                let (ours, theirs) = (ours.get(index), theirs.get(index));
+                wrong.push(format!("{name}: {theirs:?} instead of {ours:?}"));
             }
-            Part::Link(link) if link.starts_with("README") || link.starts_with('#') => None,
-            Part::Link(_) => Some(part.clone()),
-            _ => None,
-        });
-        shape.collect()
-    };
-    for (english, portuguese) in shape(&english).iter().zip(&shape(&portuguese)) {
-        assert_eq!(english, portuguese);
+        }
+        // Each language leads on to itself.
+        let others =
+            translated.links().filter(|link| link.ends_with("README.md") && *link != "README.md");
+        wrong.extend(others.map(|link| format!("{name}: {link} is in English")));
     }
-    assert_eq!(shape(&english).len(), shape(&portuguese).len());
-    // The order of words in a sentence is another one.
-    let codes =
-        |readme: &Readme| -> BTreeSet<String> { readme.codes().map(str::to_owned).collect() };
-    let (english, portuguese) = (codes(&english), codes(&portuguese));
-    assert_eq!(
-        english.difference(&portuguese).collect::<Vec<_>>(),
-        portuguese.difference(&english).collect::<Vec<_>>()
-    );
+    for readme in originals().filter(|readme| readme.step().is_some()) {
+        let translation = root().join(readme.name().replace(".md", ".pt-BR.md"));
+        if !translation.exists() {
+            wrong.push(format!("{} has no translation", readme.name()));
+        }
+    }
+    none(wrong);
 }

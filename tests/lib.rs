@@ -3,6 +3,8 @@
 //! Some tests hold to snapshots: files of this folder that the steps themselves made. After a
 //! change that was meant, `UPDATE_SNAPSHOTS=1 cargo test` makes all of them anew; look at what
 //! changed in them before you commit it.
+//!
+//! Tests that need a program besides Rust are ignored, and name it: `cargo test -- --ignored`.
 
 pub mod chance;
 pub mod every_step;
@@ -16,14 +18,15 @@ use std::path::Path;
 use std::path::PathBuf;
 use std::process::Command;
 use std::process::Output;
+use std::rc::Rc;
 use std::sync::LazyLock;
 
 use common::Camera;
 use common::Color;
 use common::Comparison;
-use common::Control;
 use common::Frame;
 use common::Image;
+use common::Setup;
 use common::Size;
 use common::Step;
 use common::View;
@@ -33,37 +36,33 @@ use image::codecs::png::CompressionType;
 use image::codecs::png::FilterType;
 use image::codecs::png::PngEncoder;
 
-/// The packages of the steps, in order.
-pub const STEPS: [&str; 7] = [
-    "step01_rays",
-    "step02_sphere",
-    "step03_triangle",
-    "step04_scene",
-    "step05_diffuse",
-    "step06_shadows",
-    "step07_specular",
-];
-
 /// Whether a window needs a display that can be taken away from a program, which then writes its
 /// picture to a file. Elsewhere it would open a window and wait for its user.
 pub const X11: bool = cfg!(all(unix, not(target_os = "macos")));
 
-/// A step as it starts, by its index in [`STEPS`].
-///
-/// # Panics
-///
-/// When there is no such step.
-pub fn step(index: usize) -> Box<dyn Step> {
-    match index {
-        0 => Box::new(step01_rays::Lesson::default()),
-        1 => Box::new(step02_sphere::Lesson::default()),
-        2 => Box::new(step03_triangle::Lesson::default()),
-        3 => Box::new(step04_scene::Lesson::default()),
-        4 => Box::new(step05_diffuse::Lesson::default()),
-        5 => Box::new(step06_shadows::Lesson::default()),
-        6 => Box::new(step07_specular::Lesson::default()),
-        _ => panic!("there is no step {}", index + 1),
-    }
+macro_rules! steps {
+    ($($step:ident)*) => {
+        /// The packages of the steps, in order.
+        pub const STEPS: [&str; [$(stringify!($step)),*].len()] = [$(stringify!($step)),*];
+
+        /// A step as it starts, by its index in [`STEPS`].
+        ///
+        /// # Panics
+        ///
+        /// When there is no such step.
+        pub fn step(index: usize) -> Box<dyn Step> {
+            let new: [fn() -> Box<dyn Step>; STEPS.len()] =
+                [$(|| Box::new($step::Lesson::default())),*];
+            new[index]()
+        }
+
+        every_step::packages!($($step)*);
+    };
+}
+
+steps! {
+    step01_rays step02_sphere step03_triangle step04_scene step05_diffuse step06_shadows
+    step07_specular
 }
 
 /// What `step` shows from `view`, with one ray a pixel.
@@ -84,9 +83,14 @@ pub fn colors(step: &dyn Step, camera: &dyn Camera, width: usize, height: usize)
     colors
 }
 
-/// All controls in the order of the window and of `--help`: the step's, then the camera's.
-pub fn controls<'a>(step: &'a mut dyn Step, view: &'a mut View) -> Vec<Control<'a>> {
-    step.controls().into_iter().chain(view.controls()).collect()
+/// A step as it starts, to be set up, by its index in [`STEPS`].
+pub fn setup(index: usize) -> Setup {
+    Setup::new(Rc::new(move || step(index)))
+}
+
+/// What `setup` shows.
+pub fn picture_of(setup: &Setup, width: usize, height: usize) -> RgbImage {
+    picture(setup.step(), setup.view(), width, height)
 }
 
 /// The folder that holds all crates.

@@ -2,11 +2,12 @@
 
 use common::Camera;
 use common::Color;
-use common::Entry;
+use common::Control;
 use common::Explanation;
+use common::Outcome;
 use common::Pixel;
+use common::Projection;
 use common::Step;
-use common::Value;
 use common::Vec3;
 use common::View;
 use tests::every_step::Ball;
@@ -14,6 +15,7 @@ use tests::every_step::Package;
 use tests::every_step::Paint;
 use tests::every_step::Scenes;
 use tests::every_step::World;
+use tests::every_step::number;
 
 const WIDTH: usize = 96;
 const HEIGHT: usize = 54;
@@ -21,7 +23,12 @@ const HEIGHT: usize = 54;
 /// The lecture's view and one from the side, in both projections.
 fn views(step: &dyn Step) -> Vec<View> {
     let mut views = Vec::new();
-    for (turn, projection) in [(0.0, 0), (0.0, 1), (50.0, 0), (-130.0, 1)] {
+    for (turn, projection) in [
+        (0.0, Projection::Perspective),
+        (0.0, Projection::Parallel),
+        (50.0, Projection::Perspective),
+        (-130.0, Projection::Parallel),
+    ] {
         let mut view = step.view();
         view.azimuth += turn;
         view.projection = projection;
@@ -70,22 +77,24 @@ fn same_whatever_is_set<A: Package, B: Package>(later: &A, earlier: &B, why: &st
         same::<A, B>(&colors(later, &view), &colors(earlier, &view), why);
     }
     let view = earlier.view();
-    let names: Vec<String> =
-        earlier.clone().controls().iter().map(|control| control.name.clone()).collect();
-    for name in names {
+    for place in 0..earlier.clone().controls().len() {
         for fraction in [0.0, 0.5, 1.0] {
             let (mut later, mut earlier) = (later.clone(), earlier.clone());
-            // A later step may have inserted another control of that name before it.
-            let mut kinds = Vec::new();
-            for controls in [earlier.controls(), later.controls()] {
-                let mut control = controls.into_iter().find(|control| control.name == name);
-                let control =
-                    control.as_mut().expect("a later step keeps an earlier one's control");
+            let (name, of, takes, text) = {
+                let control = &mut earlier.controls()[place];
                 control.set_fraction(fraction);
-                kinds.push((control.takes(), control.text()));
-            }
-            assert_eq!(kinds[0], kinds[1], "'{name}' of {} and {}", B::NAME, A::NAME);
-            let why = format!("{why}; with {name} = {}", kinds[0].1);
+                (control.name.clone(), control.of, control.takes(), control.text())
+            };
+            let mut controls = later.controls();
+            let same_one = |other: &&mut Control<'_>| other.name == name && other.of == of;
+            let control = controls.iter_mut().find(same_one);
+            let control = control.unwrap_or_else(|| {
+                panic!("{} has lost the control '{name}' of {}, {of:?}", A::NAME, B::NAME)
+            });
+            control.set_fraction(fraction);
+            assert_eq!((control.takes(), control.text()), (takes, text.clone()), "'{name}'");
+            drop(controls);
+            let why = format!("{why}; with {name} = {text} of {of:?}");
             same::<A, B>(&colors(&later, &view), &colors(&earlier, &view), &why);
         }
     }
@@ -94,8 +103,7 @@ fn same_whatever_is_set<A: Package, B: Package>(later: &A, earlier: &B, why: &st
 #[test]
 fn step07_without_k_s_is_step06() {
     let mut later = step07_specular::Lesson::default();
-    later.scene.spheres.iter_mut().for_each(|object| object.material.k_s = 0.0);
-    later.scene.triangles.iter_mut().for_each(|object| object.material.k_s = 0.0);
+    later.scene.objects.iter_mut().for_each(|object| object.material.k_s = 0.0);
     let earlier = step06_shadows::Lesson::default();
     same_whatever_is_set(&later, &earlier, "with k_s = 0 every L_s is 0: L = L_a + the sum of L_d");
 }
@@ -103,9 +111,9 @@ fn step07_without_k_s_is_step06() {
 #[test]
 fn step07_without_l_s_is_step06() {
     let mut later = step07_specular::Lesson::default();
-    later.scene.terms[2] = false;
+    later.scene.weights[2] = 0.0;
     let earlier = step06_shadows::Lesson::default();
-    same_whatever_is_set(&later, &earlier, "L_s is switched off: L = L_a + the sum of L_d");
+    same_whatever_is_set(&later, &earlier, "the weight of L_s is 0: L = L_a + the sum of L_d");
 }
 
 #[test]
@@ -124,10 +132,6 @@ fn step05_with_its_light_divided_out_is_step04() {
     let (later, earlier) = (step05_diffuse::Lesson::default(), step04_scene::Lesson::default());
     for view in views(&later) {
         let flat = colors(&earlier, &view);
-        let number = |explanation: &Explanation, symbol| match explanation.value(symbol) {
-            Some(Value::Number(number)) => Some(*number),
-            _ => None,
-        };
         let lit: Vec<Color> = explanations(&later, &view)
             .iter()
             .zip(&flat)
@@ -145,33 +149,30 @@ fn step05_with_its_light_divided_out_is_step04() {
     }
 }
 
-/// What is known of a pixel before light comes in: all entries of the earlier step's explanation.
-fn same_rays_and_hits<A: Package, B: Package>(later: &A, earlier: &B, view: &View) {
+/// What is known of a pixel before light comes in: the ray, and from step 04 on all hits.
+fn same_rays_and_hits<A: Package, B: Package>(
+    later: &A, earlier: &B, view: &View, sections: usize,
+) {
     for (a, b) in explanations(later, view).iter().zip(explanations(earlier, view)) {
-        let shared = &a.entries()[..b.entries().len().min(a.entries().len())];
-        let (later, earlier) = (A::NAME, B::NAME);
         assert_eq!(
-            shared,
-            b.entries(),
-            "pixel ({}, {}): {later} should cast the rays of {earlier} and find its hits",
+            a.sections[..sections],
+            b.sections[..sections],
+            "pixel ({}, {}): {} should cast the rays of {} and find its hits",
             a.pixel.col,
-            a.pixel.row
+            a.pixel.row,
+            A::NAME,
+            B::NAME
         );
     }
 }
 
 #[test]
 fn steps_04_to_07_hit_the_same() {
-    for view in views(&step04_scene::Lesson::default()) {
-        let steps = (
-            step04_scene::Lesson::default(),
-            step05_diffuse::Lesson::default(),
-            step06_shadows::Lesson::default(),
-            step07_specular::Lesson::default(),
-        );
-        same_rays_and_hits(&steps.1, &steps.0, &view);
-        same_rays_and_hits(&steps.2, &steps.0, &view);
-        same_rays_and_hits(&steps.3, &steps.0, &view);
+    let first = step04_scene::Lesson::default();
+    for view in views(&first) {
+        same_rays_and_hits(&step05_diffuse::Lesson::default(), &first, &view, 2);
+        same_rays_and_hits(&step06_shadows::Lesson::default(), &first, &view, 2);
+        same_rays_and_hits(&step07_specular::Lesson::default(), &first, &view, 2);
     }
 }
 
@@ -225,8 +226,15 @@ fn steps_02_and_03_cast_the_rays_of_step01() {
     assert_eq!(second.view(), first.view(), "step 02 keeps the view of step 01");
     assert_eq!(third.view(), first.view(), "step 03 keeps the view of step 01");
     for view in views(&first) {
-        same_rays_and_hits(&second, &first, &view);
-        same_rays_and_hits(&third, &first, &view);
+        for sections in [explanations(&second, &view), explanations(&third, &view)] {
+            for (a, b) in sections.iter().zip(explanations(&first, &view)) {
+                let lines = &b.sections[0].groups[0].lines[..3];
+                assert_eq!(
+                    a.sections[0].groups[0].lines, lines,
+                    "(u, v), p and d are those of step 01"
+                );
+            }
+        }
     }
 }
 
@@ -246,9 +254,15 @@ fn the_pictures_compared_show_something() {
 fn explanations_compared_name_what_is_hit() {
     let step = step04_scene::Lesson::default();
     let explanations = explanations(&step, &step.view());
-    for name in ["floor", "red sphere", "green sphere", "blue sphere", "pyramid", "background"] {
-        let heading = Entry::Heading(name.to_owned());
-        let found = explanations.iter().any(|explanation| explanation.entries().contains(&heading));
+    let hit = |explanation: &Explanation| {
+        let groups = &explanation.sections[1].groups;
+        groups.iter().find(|group| matches!(group.outcome, Outcome::Closest(_))).map(|it| it.name)
+    };
+    for name in ["floor", "red sphere", "green sphere", "blue sphere", "pyramid"] {
+        let found = explanations.iter().any(|explanation| hit(explanation) == Some(name));
         assert!(found, "no pixel of the lecture scene shows the {name}");
     }
+    let beside = explanations.iter().find(|explanation| hit(explanation).is_none());
+    let background = beside.and_then(|explanation| explanation.value("background"));
+    assert!(background.is_some(), "no pixel of the lecture scene shows the background");
 }

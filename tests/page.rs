@@ -293,7 +293,7 @@ fn the_keyboard_does_it_all() {
             6,
             ["light.x=-2"],
             [480, 300],
-            browser.text("return $('handout06').querySelector('h2').textContent")
+            browser.text("return handout(6).querySelector('h2').textContent")
         ])
     );
     browser.key(up);
@@ -430,9 +430,9 @@ fn what_the_browser_lacks_is_done_without() {
 #[ignore = "needs Chromium and the wasm target"]
 fn what_to_try_is_a_click_away() {
     let browser = opened(1280, 800, "#step07&pixel=480,300");
-    browser.run("document.querySelector('#handout07 a.try').click()");
+    browser.run("document.querySelector('#handout07-en a.try').click()");
     browser.wait_for(DRAWN);
-    let href = browser.text("return document.querySelector('#handout07 a.try').hash");
+    let href = browser.text("return document.querySelector('#handout07-en a.try').hash");
     let changed = browser.text("return '#step07&' + state.changes.join('&')");
     assert_eq!((changed, browser.run("return pin")), (href, json!([480, 300])));
     quiet(&browser);

@@ -10,6 +10,8 @@ use common::Color;
 use common::Comparison;
 use common::View;
 use common::encode;
+use common::side_by_side;
+use image::Rgb;
 use image::RgbImage;
 use image::imageops;
 use tests::STEPS;
@@ -26,21 +28,21 @@ const WIDTH: usize = 240;
 const HEIGHT: usize = 135;
 
 fn snapshot(index: usize, projection: usize) -> PathBuf {
-    let name = format!("{}_{}.png", STEPS[index], View::PROJECTIONS[projection]);
+    let name = format!("{}_{}.png", STEPS[index], View::PROJECTIONS[projection].0);
     Path::new(env!("CARGO_MANIFEST_DIR")).join("pictures").join(name)
 }
 
 fn rendered(index: usize, projection: usize) -> RgbImage {
     let step = step(index);
     let mut view = step.view();
-    view.projection = projection;
+    view.projection = View::PROJECTIONS[projection].1;
     picture(&*step, &view, WIDTH, HEIGHT)
 }
 
 /// The committed pictures that step `index` may show by mistake: those of all other steps, and its
 /// own from the other camera.
 fn mistakes(index: usize, projection: usize) -> Vec<(&'static str, RgbImage)> {
-    let other_camera = (View::PROJECTIONS[1 - projection], snapshot(index, 1 - projection));
+    let other_camera = (View::PROJECTIONS[1 - projection].0, snapshot(index, 1 - projection));
     let others = (0..STEPS.len()).filter(|&other| other != index);
     let others = others.map(|other| (STEPS[other], snapshot(other, projection)));
     let paths = others.chain([other_camera]).filter(|(_, path)| path.exists());
@@ -181,6 +183,18 @@ fn equal_is_one_step_of_255_and_three_strays() {
     assert_eq!(compare(&found), Comparison::Equal { inexact: WIDTH * HEIGHT, strays: 3 });
     found.get_pixel_mut(3, 0).0[2] = expected.get_pixel(3, 0).0[2] ^ 2;
     assert!(!compare(&found).is_equal());
+}
+
+#[test]
+fn a_difference_is_shown_eight_times_as_large_and_not_wrapped() {
+    let gray = |code| RgbImage::from_pixel(1, 1, Rgb([code; 3]));
+    for (a, b, shown) in
+        [(7, 7, 0), (9, 7, 16), (7, 9, 16), (0, 31, 248), (0, 32, 255), (255, 0, 255)]
+    {
+        let panels = side_by_side(&gray(a), &gray(b));
+        let codes: Vec<u8> = panels.pixels().map(|pixel| pixel.0[0]).collect();
+        assert_eq!(codes, [a, b, shown], "expected, found, 8 × their difference up to 255");
+    }
 }
 
 #[test]

@@ -2,10 +2,12 @@
 
 use common::Color;
 use common::Ray;
+use common::Silent;
 use common::Vec3;
 use common::encode;
 use step07_specular::Lesson as Specular;
-use step07_specular::material::reflect;
+use step07_specular::material::blinn_phong;
+use step07_specular::material::phong;
 use tests::checks;
 use tests::every_step::Ball;
 use tests::every_step::Light;
@@ -27,7 +29,7 @@ checks!(lights {
     the_side_that_is_seen_is_the_one_lit,
     a_sphere_is_lit_by_its_normal,
     a_longer_direction_sees_the_same_colour,
-    a_light_on_the_surface_is_no_light_of_infinite_brightness,
+    a_light_close_to_the_surface_is_no_light_of_infinite_brightness,
 });
 
 checks!(shadows {
@@ -38,7 +40,6 @@ checks!(shadows {
     without_shadows_nothing_blocks,
     lights_add_up,
     only_ambient_light_is_left_in_the_dark,
-    the_light_at_the_camera_is_a_light_there,
 });
 
 const PAINT: Paint = Paint {
@@ -46,6 +47,7 @@ const PAINT: Paint = Paint {
     k_d: Color::new(0.75, 0.5, 0.25),
     k_s: 0.0,
     exponent: 1.0,
+    phong: false,
 };
 
 /// Where the colour is looked at from: not from straight above.
@@ -159,14 +161,21 @@ fn a_longer_direction_sees_the_same_colour<S: Lights>() {
     }
 }
 
-fn a_light_on_the_surface_is_no_light_of_infinite_brightness<S: Lights>() {
+fn a_light_close_to_the_surface_is_no_light_of_infinite_brightness<S: Lights>() {
     let paint = Paint { k_s: 0.5, ..PAINT };
-    let world = World {
+    let world = |height| World {
         triangles: vec![(patch(0.0), paint)],
-        lights: vec![Light::new(Vec3::ZERO, 8.0)],
+        lights: vec![Light::new(height * Vec3::Y, 8e-6)],
+        shadows: false,
         ..World::default()
     };
-    let color = seen::<S>(&world, EYE);
+    for height in [1e-3, 1e-4, 1e-5, 1e-6] {
+        let matte = World { triangles: vec![(patch(0.0), PAINT)], ..world(height) };
+        let why = format!("r² is at least 10⁻⁶, and l is a unit vector however near: r = {height}");
+        // Straight down, so that the point looked at is the world's origin to the last bit.
+        near::<S, _>("the colour", seen::<S>(&matte, Vec3::Y), PAINT.k_d * 8.0, &why);
+    }
+    let color = seen::<S>(&world(0.0), EYE);
     assert!(color.is_finite(), "{}: the colour is {color} where r = 0", S::NAME);
 }
 
@@ -208,24 +217,23 @@ fn what_does_not_stand_between_does_not_block<S: Shadows>() {
 }
 
 fn any_object_in_range_blocks<S: Shadows>() {
-    let step = S::NAME;
     let triangles = [4.0, 0.5, 1.0].map(|y| (patch(0.0).map(|vertex| vertex + y * Vec3::Y), PAINT));
-    let scene = S::scene(&World { triangles: triangles.to_vec(), ..World::default() });
-    // Triangles at t = ¼, ½ and 2.
-    let ray = Ray::new(Vec3::ZERO, 2.0 * Vec3::Y);
-    for (t_min, t_max, blocked) in [
-        (0.0, 1.0, true),
-        (0.0, 0.25, false),
-        (0.25, 0.5, false),
-        (0.25, 1.0, true),
-        (0.5, 1.0, false),
-        (0.5, 2.0, false),
-        (0.5, 3.0, true),
-        (2.0, 9.0, false),
+    for (light, epsilon, visible) in [
+        (2.0, 0.0, false),
+        (2.0, 0.25, false),
+        (2.0, 0.5, true),
+        (0.5, 0.0, true),
+        (0.625, 0.75, false),
+        (0.625, 0.8125, true),
+        (8.0, 0.0625, false),
+        (8.0, 0.5, true),
+        (1.0, 0.5, true),
     ] {
-        let found = S::is_blocked(&scene, &ray, t_min, t_max);
-        let why = "any object counts, in whatever order, with t_min < t < t_max";
-        assert_eq!(found, blocked, "{step}: blocked for {t_min} < t < {t_max}: {why}");
+        let scene = S::scene(&World { triangles: triangles.to_vec(), epsilon, ..World::default() });
+        let found = S::is_visible(&scene, light * Vec3::Y, Vec3::ZERO);
+        let why = "any object counts, in whatever order, with ε < t < 1";
+        let step = S::NAME;
+        assert_eq!(found, visible, "{step}: V of a light at {light}, ε = {epsilon}, from 0: {why}");
     }
 }
 
@@ -288,13 +296,6 @@ fn only_ambient_light_is_left_in_the_dark<S: Shadows>() {
     }
 }
 
-fn the_light_at_the_camera_is_a_light_there<S: Shadows>() {
-    let at_eye = lit(0.0, &[ABOVE, Light::new(EYE, 5.0)]);
-    let camera_light = World { camera_light: 5.0, ..lit(0.0, &[ABOVE]) };
-    let why = "the light at the camera is one more light, at the origin of the viewing ray";
-    near::<S, _>("the colour", seen::<S>(&camera_light, EYE), seen::<S>(&at_eye, EYE), why);
-}
-
 /// The highlight of I/r² = 2 and k_s = ½ on the horizontal patch; l is 30° from the normal, v is
 /// `off` degrees from where l is mirrored, all in one plane.
 fn highlight(off: f32, exponent: f32, phong: bool) -> Color {
@@ -302,11 +303,10 @@ fn highlight(off: f32, exponent: f32, phong: bool) -> Color {
         let (sin, cos) = degrees.to_radians().sin_cos();
         Vec3::new(sin, cos, 0.0)
     };
-    let paint = Paint { k_s: 0.5, exponent, ..Paint::matte(Color::ZERO) };
+    let paint = Paint { k_s: 0.5, exponent, phong, ..Paint::matte(Color::ZERO) };
     let world = World {
         triangles: vec![(patch(0.0), paint)],
         lights: vec![Light::new(2.0 * at(-30.0), 8.0)],
-        phong,
         ..World::default()
     };
     seen::<Specular>(&world, 3.0 * at(30.0 + off))
@@ -390,19 +390,34 @@ fn the_highlight_narrows_as_p_grows() {
 
 #[test]
 fn a_light_behind_the_surface_adds_no_highlight() {
-    let paint = Paint { k_s: 1.0, exponent: 1.0, ..Paint::matte(Color::ZERO) };
-    // Just below the surface's horizon, so that h still lies above it.
-    let world = World {
-        triangles: vec![(patch(0.0), paint)],
-        lights: vec![Light::new(Vec3::new(2.0, -0.25, 0.0), 8.0)],
-        shadows: false,
+    // Just below the surface's horizon, so that h still lies above it, and in it: cos² of half a
+    // right angle would be ½.
+    for (height, p, phong) in [(-0.25, 1.0, false), (-0.25, 1.0, true), (0.0, 2.0, false)] {
+        let paint = Paint { k_s: 1.0, exponent: p, phong, ..Paint::matte(Color::ZERO) };
+        let world = World {
+            triangles: vec![(patch(0.0), paint)],
+            lights: vec![Light::new(Vec3::new(2.0, height, 0.0), 8.0)],
+            shadows: false,
+            ..World::default()
+        };
+        let found = seen::<Specular>(&world, Vec3::Y);
+        let why = "n·l > 0 fails: light that does not reach the surface has no highlight on it";
+        assert_eq!(found, Color::ZERO, "step07_specular: L_s with n·l = {height} / r: {why}");
+    }
+}
+
+#[test]
+fn a_surface_without_k_s_has_no_highlight_however_bright_the_light() {
+    // 0⁰ is 1, and 0 · ∞ is no number.
+    let paint = Paint { exponent: 0.0, ..PAINT };
+    let world = |k_s| World {
+        triangles: vec![(patch(0.0), Paint { k_s, ..paint })],
+        lights: vec![Light { intensity: 1e38, ..ABOVE }],
         ..World::default()
     };
-    for phong in [false, true] {
-        let found = seen::<Specular>(&World { phong, ..world.clone() }, Vec3::new(-1.0, 1.0, 0.0));
-        let why = "n·l < 0: light that cannot reach the surface has no highlight on it";
-        near::<Specular, _>("L_s", found, Color::ZERO, why);
-    }
+    let dull = seen::<Specular>(&world(0.0), EYE);
+    assert_eq!(dull, PAINT.k_d * (1e38 / 4.0), "step07_specular: with k_s = 0, L = L_d");
+    assert_ne!(dull, seen::<Specular>(&world(1.0), EYE), "step07_specular: with k_s = 1 it is not");
 }
 
 #[test]
@@ -420,18 +435,18 @@ fn the_highlight_and_the_diffuse_light_add_up() {
 }
 
 #[test]
-fn a_vector_is_mirrored_in_a_normal() {
-    let why = "v_r = d − 2 (d·n) n";
-    let n = Vec3::new(0.6, 0.8, 0.0);
-    let along = Vec3::new(0.8, -0.6, 0.0);
-    for (d, expected) in [
-        (n, -n),
-        (-n, n),
-        (along, along),
-        (Vec3::Z, Vec3::Z),
-        (along - n, along + n),
-        (3.0 * along - 2.0 * n + Vec3::Z, 3.0 * along + 2.0 * n + Vec3::Z),
-    ] {
-        near::<Specular, _>("v_r", reflect(d, n), expected, why);
+fn both_models_have_the_slides_cosine() {
+    let n = Vec3::Y;
+    let at = |degrees: f32| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        Vec3::new(sin, cos, 0.0)
+    };
+    for (l, v) in [(-30.0, 30.0), (-30.0, 45.0), (0.0, 70.0), (-80.0, -10.0), (-89.0, -89.0)] {
+        let cosine = |degrees: f32| degrees.to_radians().cos();
+        let blinn = blinn_phong(n, at(l), at(v), Vec3::ZERO, &mut Silent);
+        let phong = phong(n, at(l), at(v), Vec3::ZERO, &mut Silent);
+        let why = format!("l at {l}° and v at {v}° from n");
+        near::<Specular, _>("n·h", blinn, cosine((l + v) / 2.0), &why);
+        near::<Specular, _>("v_r·v", phong, cosine(l + v), &why);
     }
 }

@@ -50,6 +50,7 @@ pub struct PerspectiveCamera {
     corner: Vec3,
     horizontal: Vec3,
     vertical: Vec3,
+    forward: Vec3,
 }
 
 impl PerspectiveCamera {
@@ -64,7 +65,7 @@ impl PerspectiveCamera {
         let vertical = 2.0 * (angle.to_radians() / 2.0).tan() * up;
         let horizontal = 2.0 * (angle.to_radians() / 2.0).tan() * aspect * right;
         let corner = -backward - horizontal / 2.0 - vertical / 2.0;
-        Self { eye, corner, horizontal, vertical }
+        Self { eye, corner, horizontal, vertical, forward: -backward }
     }
 }
 
@@ -77,9 +78,8 @@ impl Camera for PerspectiveCamera {
 
     /// The window is at the distance 1: a point x at the depth z is seen through (x − eye) / z.
     fn project(&self, point: Vec3) -> Option<(f32, f32)> {
-        let forward = self.vertical.cross(self.horizontal).normalize();
         let from_eye = point - self.eye;
-        let depth = from_eye.dot(forward);
+        let depth = from_eye.dot(self.forward);
         let seen = on_window(from_eye / depth, self.horizontal, self.vertical);
         seen.filter(|_| depth > 0.0)
     }

@@ -344,7 +344,11 @@ fn parse<T: std::str::FromStr + PartialOrd>(text: &str, range: &RangeInclusive<T
 
 fn brighten(color: &mut Color, largest: f32) {
     *color = match color.max_element() {
-        old if old > 0.0 => *color * (largest / old),
+        // The largest to the last bit, which a product may miss.
+        old if old > 0.0 => {
+            let scaled = |part: f32| if part == old { largest } else { part * (largest / old) };
+            Color::from(color.to_array().map(scaled))
+        }
         _ => Color::splat(largest),
     };
 }

@@ -119,8 +119,11 @@ impl From<Vec3> for Value {
 /// goes on computing with what is shown gets the next line.
 const DIGITS: (usize, usize) = (7, 6);
 
-/// From here on, and below one part in that many, numbers are written with a power of ten.
-const POWERS: f32 = 1e4;
+/// Below and from here on numbers are written with a power of ten.
+const PLAIN: std::ops::Range<f32> = 1e-3..1e6;
+
+/// The most decimals that leave a column its width.
+const DECIMALS: i32 = 7;
 
 /// `number` with as many decimals as `digits` digits of `largest` have.
 fn decimal(number: f32, largest: f32, digits: usize) -> String {
@@ -131,11 +134,11 @@ fn decimal(number: f32, largest: f32, digits: usize) -> String {
     if !number.is_finite() {
         return number.to_string();
     }
-    if !(1.0 / POWERS..100.0 * POWERS).contains(&largest) {
+    if !PLAIN.contains(&largest) {
         return format!("{number:.*e}", digits.min(5) - 1);
     }
-    let whole = largest.log10().floor().max(-1.0) as i32 + 1;
-    let decimals = (digits as i32 - whole).max(0) as usize;
+    let whole = largest.log10().floor() as i32 + 1;
+    let decimals = (digits as i32 - whole).clamp(0, DECIMALS) as usize;
     let text = format!("{number:.decimals$}");
     let text = match text.contains('.') {
         true => text.trim_end_matches('0').trim_end_matches('.'),
@@ -145,7 +148,7 @@ fn decimal(number: f32, largest: f32, digits: usize) -> String {
 }
 
 impl Value {
-    /// The value's numbers as they are shown, each with its sign or a space; a word as it is.
+    /// The value's numbers or word as they are shown, each with its sign or a space.
     ///
     /// What is too small beside the other numbers of a vector to be seen is 0.
     pub fn texts(&self) -> Vec<String> {
@@ -155,10 +158,12 @@ impl Value {
         };
         match self {
             Self::Number(number) => vec![signed(decimal(*number, *number, DIGITS.0))],
-            Self::Pair(a, b) => several(&[*a, *b]),
+            Self::Pair(a, b) => {
+                [*a, *b].map(|number| signed(decimal(number, number, DIGITS.1))).into()
+            }
             Self::Vector(v) => several(&v.to_array()),
             Self::Share(millionths) => millionths.iter().map(|part| signed(share(*part))).collect(),
-            Self::Word(word) => vec![(*word).to_owned()],
+            Self::Word(word) => vec![signed((*word).to_owned())],
         }
     }
 }
@@ -347,11 +352,11 @@ impl fmt::Display for Explanation {
             for group in &section.groups {
                 match group.outcome {
                     Outcome::Missed(why, condition) => {
-                        writeln!(f, "  {:<48} {why}: {condition}", group.name)?;
+                        writeln!(f, "  {:<47} {why}: {condition}", group.name)?;
                         continue;
                     }
                     Outcome::Farther(t) => {
-                        writeln!(f, "  {:<48}{}", group.name, Value::Number(t))?;
+                        writeln!(f, "  {:<47}{}", group.name, Value::Number(t))?;
                         continue;
                     }
                     _ if group.name.is_empty() => {}

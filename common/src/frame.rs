@@ -4,6 +4,7 @@ use std::str::FromStr;
 use image::RgbImage;
 
 use crate::Camera;
+use crate::Canvas;
 use crate::Color;
 use crate::Image;
 use crate::Step;
@@ -144,7 +145,8 @@ pub fn check_loop(step: &dyn Step) -> Result<(), String> {
 }
 
 impl Frame<'_> {
-    /// Renders rows into `rgb`, three bytes a pixel, from `first_row` on, as many as fit.
+    /// Renders rows into `rgb`, three bytes a pixel, from `first_row` on, as many as fit. When all
+    /// are there, [`Step::draw_over`] comes next.
     ///
     /// With N samples the step renders a picture N times as wide and high, and each pixel is the
     /// mean of N × N of its pixels, taken before encoding.
@@ -177,6 +179,7 @@ impl Frame<'_> {
     pub fn render(&self) -> RgbImage {
         let mut picture = RgbImage::new(self.size.width as u32, self.size.height as u32);
         self.render_rows(0, &mut picture);
+        self.step.draw_over(self.camera, &mut Canvas::new(&mut picture));
         picture
     }
 
@@ -196,6 +199,7 @@ impl Frame<'_> {
             self.render_rows(band * rows, rgb);
             done(rgb.len() / (3 * self.size.width));
         });
+        self.step.draw_over(self.camera, &mut Canvas::new(&mut picture));
         picture
     }
 }

@@ -31,6 +31,7 @@ mod outside;
 mod pen;
 pub mod prelude;
 mod ray;
+mod session;
 mod setup;
 mod sight;
 mod srgb;
@@ -69,9 +70,13 @@ pub use explanation::Place;
 pub use explanation::Section;
 pub use explanation::Value;
 #[cfg(feature = "figures")]
-pub use figure::Canvas as FigureCanvas;
+pub use figure::Axes;
 #[cfg(feature = "figures")]
 pub use figure::Figure;
+#[cfg(feature = "figures")]
+pub use figure::Sketch;
+#[cfg(feature = "figures")]
+pub use figure::told;
 pub use frame::Frame;
 pub use frame::Size;
 pub use frame::SizeError;
@@ -80,6 +85,14 @@ pub use listener::Listener;
 pub use listener::Silent;
 pub use outside::Outside;
 pub use ray::Ray;
+pub use session::Effect;
+pub use session::Event;
+pub use session::KEYS;
+pub use session::Key;
+pub use session::LECTURE_KEYS;
+pub use session::Program;
+pub use session::Session;
+pub use session::Wanted;
 pub use setup::Handle;
 pub use setup::Make;
 pub use setup::Setting;

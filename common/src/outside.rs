@@ -33,8 +33,8 @@ pub struct Outside<'a> {
     pub step: &'a dyn Step,
     /// The camera that is seen.
     pub view: &'a View,
-    /// From where it is seen; its start is [`onlooker`](Self::onlooker).
-    pub onlooker: &'a View,
+    /// From where it is seen: that of the view [`onlooker`](Self::onlooker) to begin with.
+    pub onlooker: &'a dyn Camera,
     /// The area that is drawn on, and whose shape the camera's picture has too.
     pub area: Area,
 }
@@ -56,6 +56,7 @@ struct Window<'a> {
     /// How far it is from the rays' origins.
     depth: f32,
     forward: Vec3,
+    middle: Vec3,
     columns: u32,
     rows: u32,
 }
@@ -79,8 +80,7 @@ impl Window<'_> {
 
     /// The (u, v) at which `ray` passes through it.
     fn crossed(&self, ray: &Ray) -> Option<(f32, f32)> {
-        let middle = self.at(0.5, 0.5);
-        let t = (middle - ray.origin).dot(self.forward) / ray.direction.dot(self.forward);
+        let t = (self.middle - ray.origin).dot(self.forward) / ray.direction.dot(self.forward);
         let (u, v) = self.camera.project(ray.at(t)).filter(|_| t > 0.0)?;
         let inside = (0.0..1.0).contains(&u) && (0.0..1.0).contains(&v);
         inside.then_some((u, v))
@@ -93,12 +93,17 @@ impl Outside<'_> {
     pub fn onlooker(view: &View) -> View {
         let (eye, target) = (view.eye(), view.target());
         let far = (eye - target).length().max(1e-3);
-        let middle = eye.lerp(target, 0.5) + 0.1 * far * Vec3::Y;
+        // The parallel camera's window is as large as what it looks at.
+        let (raised, away) = match view.projection {
+            Projection::Perspective => (0.1, 1.55),
+            Projection::Parallel => (0.0, 2.5),
+        };
+        let middle = eye.lerp(target, 0.5) + raised * far * Vec3::Y;
         let mut onlooker = View::new(middle + far * Vec3::Z, middle, 42.0);
         onlooker.azimuth = 0.0;
         onlooker.elevation = 0.0;
         onlooker.orbit(view.azimuth + 52.0, 22.0);
-        onlooker.zoom(1.55);
+        onlooker.zoom(away);
         onlooker
     }
 
@@ -112,13 +117,16 @@ impl Outside<'_> {
     ) {
         let Area { width, height, .. } = self.area;
         let aspect = width / height;
-        let (camera, onlooker) = (self.view.camera(aspect), self.onlooker.camera(aspect));
-        let sight = Sight { step: self.step, camera: &*onlooker, area: self.area };
+        let camera = self.view.camera(aspect);
+        let sight = Sight { step: self.step, camera: self.onlooker, area: self.area };
         let perspective = self.view.projection == Projection::Perspective;
+        let depth = if perspective { 0.4 * self.view.distance } else { 0.0 };
+        let ahead = camera.generate_ray(0.5, 0.5);
         let window = Window {
             camera: &*camera,
-            depth: if perspective { 0.4 * self.view.distance } else { 0.0 },
-            forward: camera.generate_ray(0.5, 0.5).direction,
+            depth,
+            forward: ahead.direction,
+            middle: ahead.at(depth),
             columns: COLUMNS,
             rows: ((COLUMNS as f32 / aspect).round() as u32).clamp(1, 4 * COLUMNS),
         };
@@ -132,10 +140,10 @@ impl Outside<'_> {
             draw_ground(&mut pen);
         }
         let ray = explanation.and_then(viewing_ray);
+        self.draw_window(&mut pen, &window);
         if ray.is_none() || !perspective || !told("intersection") {
             self.draw_rays(&mut pen, &window, ray.is_some());
         }
-        self.draw_window(&mut pen, &window);
         draw_handles(&mut pen, handles);
         if let Some((ray, explanation)) = ray.zip(explanation) {
             self.draw_viewing_ray(&mut pen, &window, &ray, explanation);
@@ -168,14 +176,17 @@ impl Outside<'_> {
                 .collect();
             let (cols, rows_seen) = self.pixels_of(pen, window);
             for row in rows_seen {
-                for col in cols.clone() {
-                    let at = (col as f32 + 0.5, row as f32 + 0.5);
+                // Two at once: the edges between them are under the lines.
+                for col in cols.clone().step_by(2) {
+                    let at = (col as f32 + 1.0, row as f32 + 0.5);
                     let Some((u, v)) = window.crossed(&pen.sight.ray(at)) else { continue };
                     let cell_col = ((u * columns as f32) as u32).min(columns - 1);
                     let cell_row = (((1.0 - v) * rows as f32) as u32).min(rows - 1);
                     let [red, green, blue] = picture.get_pixel(cell_col, cell_row).0;
                     let cover = covers[(cell_row * columns + cell_col) as usize];
-                    pen.canvas().pixel(col, row, Ink::new(red, green, blue).with_alpha(cover));
+                    let ink = Ink::new(red, green, blue).with_alpha(cover);
+                    pen.canvas().pixel(col, row, ink);
+                    pen.canvas().pixel(col + 1, row, ink);
                 }
             }
         }
@@ -218,7 +229,7 @@ impl Outside<'_> {
 
     /// Some of the many rays, as far as they go before they hit something.
     fn draw_rays(&self, pen: &mut Pen<'_>, window: &Window<'_>, faint: bool) {
-        let ink = symbol_ink("d").unwrap_or(FRAME).with_alpha(if faint { 80 } else { 170 });
+        let ink = symbol_ink("d").unwrap_or(FRAME).with_alpha(if faint { 130 } else { 190 });
         let across = |part: u32, parts: u32, all: u32| (2 * part + 1) * all / (2 * parts);
         for (row, col) in (0..3).flat_map(|row| (0..5).map(move |col| (row, col))) {
             let col = across(col, 5, window.columns);

@@ -6,6 +6,7 @@ use crate::Canvas;
 use crate::Font;
 use crate::Ink;
 use crate::Sight;
+use crate::Stroke;
 use crate::Vec3;
 use crate::sight::distance;
 
@@ -30,11 +31,19 @@ pub(crate) struct Pen<'a> {
     pub(crate) sight: Sight<'a>,
     text_size: f32,
     labels: Vec<Label<'a>>,
+    /// Where lines are that no label is to cover, if it can be helped.
+    lines: Vec<Area>,
 }
 
 impl<'a> Pen<'a> {
     pub(crate) fn new(canvas: &'a mut Canvas<'_>, sight: Sight<'a>, text_size: f32) -> Self {
-        Self { canvas: canvas.clipped(sight.area), sight, text_size, labels: Vec::new() }
+        Self {
+            canvas: canvas.clipped(sight.area),
+            sight,
+            text_size,
+            labels: Vec::new(),
+            lines: Vec::new(),
+        }
     }
 
     pub(crate) fn canvas(&mut self) -> &mut Canvas<'a> {
@@ -55,15 +64,32 @@ impl<'a> Pen<'a> {
     }
 
     pub(crate) fn line(&mut self, from: Vec3, to: Vec3, width: f32, ink: Ink) {
-        for stroke in self.sight.strokes(from, to) {
+        let strokes = self.sight.strokes(from, to);
+        self.draw(&strokes, width, ink);
+    }
+
+    fn draw(&mut self, strokes: &[Stroke], width: f32, ink: Ink) {
+        for stroke in strokes {
             if stroke.hidden {
                 let faint = ink.with_alpha((u16::from(HIDDEN) * u16::from(ink.alpha) / 255) as u8);
                 self.canvas.dashed(stroke.from, stroke.to, 0.8 * width, faint);
             } else {
-                let under = UNDER.with_alpha(UNDER.alpha.min(ink.alpha));
-                self.canvas.line(stroke.from, stroke.to, width + 2.0, under);
+                if ink.alpha == 255 {
+                    self.keep_clear(stroke);
+                    self.canvas.line(stroke.from, stroke.to, width + 2.0, UNDER);
+                }
                 self.canvas.line(stroke.from, stroke.to, width, ink);
             }
+        }
+    }
+
+    fn keep_clear(&mut self, Stroke { from, to, .. }: &Stroke) {
+        let pieces = (distance(*from, *to) / self.text_size.max(8.0)).ceil().min(200.0);
+        for piece in 0..pieces as usize {
+            let part = (piece as f32 + 0.5) / pieces;
+            let at = (from.0 + part * (to.0 - from.0), from.1 + part * (to.1 - from.1));
+            let side = 0.5 * self.text_size;
+            self.lines.push(Area::anchored(at, Anchor::Center, side, side));
         }
     }
 
@@ -80,9 +106,18 @@ impl<'a> Pen<'a> {
         } else if length <= head {
             self.canvas.arrow(start, tip, width, ink);
         } else {
-            // The head covers the end of the shaft.
-            let shaft = from.lerp(to, 1.0 - 0.5 * head / length);
-            self.line(from, shaft, width, ink);
+            // What the head covers is left out: it may be faint.
+            let shaft = |at: (f32, f32)| {
+                let too_far =
+                    ((at.0 - start.0) * x + (at.1 - start.1) * y - length + head).max(0.0);
+                (at.0 - too_far * x, at.1 - too_far * y)
+            };
+            let mut strokes = self.sight.strokes(from, to);
+            for stroke in &mut strokes {
+                (stroke.from, stroke.to) = (shaft(stroke.from), shaft(stroke.to));
+            }
+            strokes.retain(|stroke| stroke.from != stroke.to);
+            self.draw(&strokes, width, ink);
             let alpha = if self.sight.is_hidden(to) { HIDDEN } else { 255 };
             let neck = (tip.0 - head * x, tip.1 - head * y);
             if alpha == 255 {
@@ -175,19 +210,26 @@ impl<'a> Pen<'a> {
                 let area = Area { left: area.left + across, top: area.top + down, ..area };
                 area.moved_into(self.sight.area)
             };
-            let far = [gap, 3.0 * gap, 6.0 * gap];
+            let far = [gap, 2.5 * gap, 5.0 * gap];
             let places = far.into_iter().flat_map(|gap| {
                 let directions = std::iter::once(label.toward).chain(around);
                 directions.map(move |direction| place(direction, gap))
             });
-            let covered = |area: &Area| taken.iter().map(|other| area.shared(*other)).sum::<f32>();
+            let shared = |area: &Area, others: &[Area]| -> f32 {
+                others.iter().map(|other| area.shared(*other)).sum()
+            };
+            // A label is worse to cover than a line.
+            let covered = |area: &Area| 4.0 * shared(area, &taken) + shared(area, &self.lines);
             let mut best: Option<(f32, Area)> = None;
-            for area in places {
-                let cost = covered(&area);
+            // The earlier, the nearer to what it names.
+            let later = 0.015 * self.text_size * self.text_size;
+            for (number, area) in places.enumerate() {
+                let hidden = covered(&area);
+                let cost = hidden + later * number as f32;
                 if best.is_none_or(|(least, _)| cost < least) {
                     best = Some((cost, area));
                 }
-                if cost == 0.0 {
+                if hidden == 0.0 {
                     break;
                 }
             }

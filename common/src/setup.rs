@@ -34,6 +34,12 @@ struct Change {
     value: String,
 }
 
+impl Change {
+    fn is_of(&self, control: &Control<'_>) -> bool {
+        control.name == self.name && control.of == self.of
+    }
+}
+
 /// A control as a front end shows it: a plain value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
@@ -41,6 +47,8 @@ pub struct Setting {
     pub name: String,
     /// The stretch of the lecture that it belongs to; the step's own is the last but the camera's.
     pub group: &'static str,
+    /// Where several objects have this control, what these are: the name of the choice between them.
+    pub of: Option<&'static str>,
     /// For one of the three numbers of a point: the point's name, and 0, 1 or 2.
     pub axis: Option<(&'static str, usize)>,
     /// The value as it is shown: `0.85`, `parallel`, `off`.
@@ -123,8 +131,7 @@ impl Setup {
         self.view = self.step.view();
         let mut controls = controls(&mut *self.step, &mut self.view);
         for change in &self.changes {
-            let is_it =
-                |control: &&mut Control<'_>| control.name == change.name && control.of == change.of;
+            let is_it = |control: &&mut Control<'_>| change.is_of(control);
             if let Some(control) = controls.iter_mut().find(is_it) {
                 // What one step took may be out of another's range; it then keeps its own.
                 let _ = control.set(&change.value);
@@ -137,7 +144,7 @@ impl Setup {
     }
 
     /// The controls that are shown: those that only one of several objects has for the chosen one
-    /// alone, with the choice before them.
+    /// alone, with the choice before them where there is one to make.
     pub fn list(&mut self) -> Vec<Setting> {
         let (chosen, changes) = (self.chosen.clone(), self.changes.clone());
         let controls = self.controls();
@@ -146,15 +153,16 @@ impl Setup {
             if let Some((kind, which)) = control.of {
                 let names = all(&controls, kind);
                 let place = choice(&chosen, kind, &names);
-                if !list.iter().any(|setting| setting.name == kind) {
+                if names.len() > 1 && !list.iter().any(|setting| setting.name == kind) {
                     list.push(Setting::choice(kind, control.group, names.clone(), place));
                 }
                 if names[place] != which {
                     continue;
                 }
             }
-            let changed =
-                changes.iter().any(|change| change.name == control.name && change.of == control.of);
+            let changed = changes
+                .iter()
+                .any(|change| change.is_of(control) && change.value == control.exact());
             if !list.iter().any(|setting| setting.name == control.name) {
                 list.push(Setting::new(control, changed));
             }
@@ -200,7 +208,7 @@ impl Setup {
         let of = controls.iter().find_map(|control| control.of.filter(|of| of.0 == kind))?;
         let names = all(&controls, kind);
         drop(controls);
-        let words: Vec<&str> = names.iter().map(|name| first_word(name)).collect();
+        let words = words(&names);
         let place = names.iter().position(|name| *name == value);
         let Some(place) = place.or_else(|| words.iter().position(|word| *word == value)) else {
             let (name, value) = (kind.to_owned(), value.to_owned());
@@ -333,53 +341,46 @@ impl Setup {
         }
     }
 
-    /// What has to be set, in this order, to get here from the start: NAME=VALUE each.
+    /// What has to be set, in this order, to get here from the start: NAME=VALUE each. What waits
+    /// for another step is not among it.
     pub fn settings(&self) -> Vec<String> {
-        let setting = |change: &Change| format!("{}={}", change.name, change.value);
-        let free = self.changes.iter().filter(|change| change.of.is_none());
+        let mut step = (self.make)();
+        let mut view = step.view();
+        let mut controls = controls(&mut *step, &mut view);
+        let mut taken = |change: &&Change| {
+            let is_it = |control: &&mut Control<'_>| change.is_of(control);
+            controls.iter_mut().find(is_it).is_some_and(|it| it.set(&change.value).is_ok())
+        };
+        let changes: Vec<&Change> = self.changes.iter().filter(&mut taken).collect();
+        let setting = |change: &&Change| format!("{}={}", change.name, change.value);
+        let free = changes.iter().filter(|change| change.of.is_none());
         let mut settings: Vec<String> = free.map(setting).collect();
         let mut kinds: Vec<&str> = Vec::new();
-        let owners = self.changes.iter().filter_map(|change| change.of);
-        for (kind, _) in owners.chain(self.chosen.iter().copied()) {
+        for (kind, _) in controls.iter().filter_map(|control| control.of) {
             if !kinds.contains(&kind) {
                 kinds.push(kind);
             }
         }
         for kind in kinds {
-            // At the start the first is chosen, so its changes need no choice before them.
-            let first = self.first(kind);
-            let last = self.chosen.iter().find(|of| of.0 == kind).map(|of| of.1).or(first);
-            let mut owners: Vec<&str> = Vec::new();
-            let changed = self.changes.iter().filter_map(|change| change.of);
-            for which in changed.filter(|of| of.0 == kind).map(|of| of.1) {
-                if !owners.contains(&which) {
-                    owners.push(which);
+            let names = all(&controls, kind);
+            let words = words(&names);
+            let mut shown = 0;
+            let mut show = |place: usize, settings: &mut Vec<String>| {
+                if place != shown {
+                    settings.push(format!("{kind}={}", words[place]));
+                    shown = place;
+                }
+            };
+            for (place, which) in names.iter().enumerate() {
+                let its = || changes.iter().filter(|change| change.of == Some((kind, which)));
+                if its().next().is_some() {
+                    show(place, &mut settings);
+                    settings.extend(its().map(setting));
                 }
             }
-            owners.sort_by_key(|which| (Some(*which) != first, Some(*which) == last));
-            let mut chosen = first;
-            for which in owners {
-                if Some(which) != chosen {
-                    settings.push(format!("{kind}={}", first_word(which)));
-                    chosen = Some(which);
-                }
-                let its = self.changes.iter().filter(|change| change.of == Some((kind, which)));
-                settings.extend(its.map(setting));
-            }
-            if let Some(last) = last.filter(|_| chosen != last) {
-                settings.push(format!("{kind}={}", first_word(last)));
-            }
+            show(choice(&self.chosen, kind, &names), &mut settings);
         }
         settings
-    }
-
-    /// The first object of `kind`.
-    fn first(&self, kind: &str) -> Option<&'static str> {
-        let mut step = (self.make)();
-        step.controls()
-            .iter()
-            .find_map(|control| control.of.filter(|of| of.0 == kind))
-            .map(|of| of.1)
     }
 }
 
@@ -399,6 +400,7 @@ impl Setting {
         Self {
             name: control.name.clone(),
             group: control.group,
+            of: control.of.map(|of| of.0),
             axis: control.axis,
             text: control.text(),
             fraction: control.fraction(),
@@ -409,10 +411,11 @@ impl Setting {
     }
 
     fn choice(kind: &str, group: &'static str, names: Vec<&'static str>, place: usize) -> Self {
-        let words: Vec<&str> = names.iter().map(|name| first_word(name)).collect();
+        let words = words(&names);
         Self {
             name: kind.to_owned(),
             group,
+            of: None,
             axis: None,
             text: words[place].to_owned(),
             fraction: place as f32 / (names.len() - 1).max(1) as f32,
@@ -432,6 +435,17 @@ fn all(controls: &[Control<'_>], kind: &str) -> Vec<&'static str> {
         }
     }
     names
+}
+
+/// What each of `names` is called on a command line: its first word, or all of it where another
+/// one has that word too.
+fn words(names: &[&'static str]) -> Vec<&'static str> {
+    let word = |name: &&'static str| {
+        let word = first_word(name);
+        let same = names.iter().filter(|other| first_word(other) == word).count();
+        if same > 1 { name } else { word }
+    };
+    names.iter().map(word).collect()
 }
 
 /// Which of `names`, all of `kind`, is chosen.

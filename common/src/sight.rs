@@ -71,10 +71,14 @@ pub(crate) fn told_hit(explanation: &Explanation, ray: &Ray) -> Option<f32> {
     closest.or_else(alone).filter(|t| t.is_finite())
 }
 
+/// What `step` tells of `ray`.
+pub(crate) fn explain_ray(step: &dyn Step, ray: &Ray) -> Explanation {
+    step.explain(&Fixed(*ray), Pixel { col: 0, row: 0, width: 1, height: 1 })
+}
+
 /// The t of the first thing in `step` that `ray` hits; `None` when it hits nothing.
 pub(crate) fn first_hit(step: &dyn Step, ray: &Ray) -> Option<f32> {
-    let pixel = Pixel { col: 0, row: 0, width: 1, height: 1 };
-    told_hit(&step.explain(&Fixed(*ray), pixel), ray)
+    told_hit(&explain_ray(step, ray), ray)
 }
 
 /// The point between two others, at a part of the way.

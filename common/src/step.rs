@@ -1,4 +1,5 @@
 use crate::Camera;
+use crate::Canvas;
 use crate::Color;
 use crate::Controls;
 use crate::Explanation;
@@ -21,6 +22,10 @@ pub trait Step: Sync {
     /// Tells `say` how `pixel` comes by its colour, which it gives back: what the functions that
     /// [`render`](Self::render) runs tell.
     fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &mut Explanation) -> Color;
+
+    /// Draws over the finished picture that `camera` sees: a figure's words and lines. A lesson's
+    /// picture is left as it was rendered.
+    fn draw_over(&self, _camera: &dyn Camera, _canvas: &mut Canvas<'_>) {}
 
     /// How `pixel` comes by its colour.
     fn explain(&self, camera: &dyn Camera, pixel: Pixel) -> Explanation {

@@ -19,10 +19,10 @@ pub fn symbol_ink(symbol: &str) -> Option<Ink> {
     Some(match symbol {
         "n" | "normal" => Ink::new(0, 200, 140),
         "l" => Ink::new(240, 228, 66),
-        "v" => Ink::new(86, 180, 233),
-        "h" | "v_r" => Ink::new(230, 140, 200),
+        "v" => Ink::new(100, 190, 245),
+        "h" | "v_r" => Ink::new(225, 85, 200),
         "shadow ray's d" => Ink::new(230, 159, 0),
-        "d" | "p" | "(u, v)" => Ink::new(240, 110, 40),
+        "d" | "p" | "(u, v)" => Ink::new(240, 90, 40),
         "point" | "t" | "t₁" | "t₂" | "t_max" => Ink::WHITE,
         "α" => Ink::new(230, 85, 45),
         "β" => Ink::new(0, 175, 120),

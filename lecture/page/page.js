@@ -289,7 +289,7 @@ function open(address) {
 
 /** The address of what is shown. */
 function address() {
-  const parts = [`step${String(state.step).padStart(2, "0")}`, ...state.changes];
+  const parts = [`step${two(state.step)}`, ...state.changes];
   if (size !== SIZE) parts.push(`size=${size.join("x")}`);
   if (pin) parts.push(`pixel=${pin.join(",")}`);
   if (!vectors) parts.push("vectors=off");
@@ -338,19 +338,23 @@ function refresh() {
   writeAddress();
 }
 
-/** The equation of each step, which stands below the picture. */
-const formulas = {};
+const two = (step) => String(step).padStart(2, "0");
+const handout = (step) => $(`handout${two(step)}-${language}`);
+
+/** The equation of each handout, which stands below the picture. */
+const formulas = new Map();
 
 function showStep() {
-  const number = String(state.step).padStart(2, "0");
+  const shown = handout(state.step);
   for (const link of $("steps").querySelectorAll("a")) {
-    if (link.hash === `#step${number}`) link.setAttribute("aria-current", "page");
+    if (link.hash === `#step${two(state.step)}`) link.setAttribute("aria-current", "page");
     else link.removeAttribute("aria-current");
   }
-  for (const article of document.querySelectorAll("article")) article.hidden = article.id !== `handout${number}`;
-  const heading = $(`handout${number}`).querySelector("h2").textContent;
-  formulas[state.step] = formulas[state.step] || $(`handout${number}`).querySelector(".equation");
-  $("formula").replaceChildren(formulas[state.step]);
+  for (const article of document.querySelectorAll("article")) article.hidden = article !== shown;
+  const heading = shown.querySelector("h2").textContent;
+  if (!formulas.has(shown)) formulas.set(shown, shown.querySelector(".equation"));
+  $("formula").replaceChildren(formulas.get(shown));
+  $("formula").lang = language;
   document.title = `${heading} · ${text("title")}`;
   $("now").setAttribute("aria-label", heading);
 }
@@ -727,6 +731,8 @@ function translate() {
   document.documentElement.lang = language;
   for (const place of document.querySelectorAll("[data-text]")) place.textContent = text(place.dataset.text);
   for (const place of document.querySelectorAll("[data-name]")) place.setAttribute("aria-label", text(place.dataset.name));
+  for (const place of document.querySelectorAll("[data-step]"))
+    place.textContent = handout(place.dataset.step).querySelector("h2").textContent.split(" · ")[1];
   const other = language === "en" ? "pt-BR" : "en";
   $("language").textContent = { en: "English", "pt-BR": "Português" }[other];
   $("language").lang = other;

@@ -8,9 +8,9 @@ use pulldown_latex::push_mathml;
 
 use crate::handout::escape;
 
-/// What stands in an equation, and the symbol under which a step tells its value, or several of
-/// which it tells one. Of two that begin alike the longer one is first.
-const SYMBOLS: [(&str, &str); 22] = [
+/// What stands in an equation, and the symbol under which a step tells its value; one that ends in
+/// `=` is meant only where it is given its value. Of two that begin alike the longer one is first.
+const SYMBOLS: [(&str, &str); 30] = [
     (r"\max(0, \mathbf{n}\cdot\mathbf{h}_i)^{p}", "max(0, cos α)^p"),
     (r"\mathbf{n}\cdot\mathbf{l}_i", "n·l"),
     (r"\mathbf{n}\cdot\mathbf{l}", "n·l"),
@@ -19,11 +19,19 @@ const SYMBOLS: [(&str, &str); 22] = [
     (r"\frac{I}{r^2}", "I/r²"),
     (r"\mathbf{p}", "p"),
     (r"\mathbf{d}", "d"),
+    (r"\mathbf{o} =", "o"),
+    (r"\mathbf{h} =", "h"),
     (r"b^2 - a c", "discriminant"),
     (r"t^{\ast}", "t_max"),
     (r"\alpha", "α"),
     (r"\beta", "β"),
     (r"\gamma", "γ"),
+    ("a =", "a"),
+    ("b_0 =", "b₀"),
+    ("b =", "b"),
+    ("c =", "c"),
+    ("t_0 =", "t₀"),
+    ("t =", "t₁"),
     ("V_i", "V"),
     ("k_a", "k_a"),
     ("k_d", "k_d"),
@@ -67,9 +75,7 @@ fn mathml(latex: &str, display_mode: DisplayMode) -> String {
 
 /// Puts `@PLACE@` under the first of each of [`SYMBOLS`].
 fn with_places(latex: &str) -> String {
-    // d is a viewing ray's where p is, else another's.
-    let viewing = latex.contains(r"\mathbf{p}");
-    let mut seen = SYMBOLS.map(|(symbol, _)| symbol == r"\mathbf{d}" && !viewing);
+    let mut seen = [false; SYMBOLS.len()];
     let mut marked = String::new();
     let mut rest = latex;
     while let Some(first) = rest.chars().next() {
@@ -80,7 +86,7 @@ fn with_places(latex: &str) -> String {
         });
         let whole = match found {
             Some(place) if !std::mem::replace(&mut seen[place], true) => {
-                let symbol = SYMBOLS[place].0;
+                let symbol = SYMBOLS[place].0.trim_end_matches(" =");
                 marked.push_str(&format!(r"\underset{{\text{{@{place}@}}}}{{{symbol}}}"));
                 rest = &rest[symbol.len()..];
                 continue;

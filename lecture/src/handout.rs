@@ -32,17 +32,17 @@ pub(crate) struct Section {
 }
 
 /// What the page shows live, and so does not repeat.
-const SHOWN_ALREADY: [&str; 2] = ["Before and after", "The slides' figures"];
+const SHOWN_ALREADY: [&str; 4] =
+    ["Before and after", "Antes e depois", "The slides' figures", "As figuras dos slides"];
 
 /// `text` as it is written in HTML, between tags or in quotes.
 pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// The handout of the step in `folder`, whose number is in its name.
-pub(crate) fn read(folder: &Path, name: &str) -> Result<Handout> {
-    let path = folder.join("README.md");
-    let text = fs::read_to_string(&path).with_context(|| path.display().to_string())?;
+/// The handout in `path`, of the step called `name`.
+pub(crate) fn read(path: &Path, name: &str) -> Result<Handout> {
+    let text = fs::read_to_string(path).with_context(|| path.display().to_string())?;
     let mut handout = Handout { title: String::new(), lead: String::new(), sections: Vec::new() };
     let mut heading: Option<String> = None;
     let mut part = Vec::new();
@@ -72,11 +72,15 @@ fn finish(handout: &mut Handout, heading: Option<String>, mut part: Vec<Event<'_
     if heading.as_ref().is_some_and(|heading| SHOWN_ALREADY.contains(&heading.as_str())) {
         return;
     }
-    // The way to the other steps is the page's own.
-    let is_way = |event: &Event<'_>| matches!(event, Event::Start(Tag::Link { dest_url, .. }) if &**dest_url == "../README.md");
-    if let Some(way) = part.iter().position(is_way) {
+    // The ways to the other steps and to the other language are the page's own.
+    let is_way = |event: &Event<'_>| {
+        let Event::Start(Tag::Link { dest_url, .. }) = event else { return false };
+        dest_url.starts_with("README") || dest_url.starts_with("../README")
+    };
+    while let Some(way) = part.iter().position(is_way) {
+        let start = part[..way].iter().rposition(|event| *event == Event::Start(Tag::Paragraph));
         let end = part[way..].iter().position(|event| *event == Event::End(TagEnd::Paragraph));
-        part.drain(way..way + end.unwrap_or(0));
+        part.drain(start.unwrap_or(way)..=way + end.unwrap_or(0));
     }
     let mut text = String::new();
     html::push_html(&mut text, on_the_page(part, name).into_iter());
@@ -147,10 +151,12 @@ fn address(code: &str) -> Option<String> {
     let mut address = String::new();
     let mut words = code.split_whitespace();
     while let Some(flag) = words.next() {
-        let value = words.next()?;
         match flag {
-            "--set" => write!(address, "&amp;{}", escape(value)).ok()?,
-            "--camera" => write!(address, "&amp;camera={}", escape(value)).ok()?,
+            "--set" => write!(address, "&amp;{}", escape(words.next()?)).ok()?,
+            "--outside" => address.push_str("&amp;outside=on"),
+            "--camera" | "--pixel" | "--size" => {
+                write!(address, "&amp;{}={}", &flag[2..], escape(words.next()?)).ok()?;
+            }
             _ => return None,
         }
     }

@@ -19,12 +19,16 @@ use flate2::write::GzEncoder;
 use lecture::PROGRAMS;
 
 use crate::handout;
+use crate::handout::Handout;
 use crate::handout::escape;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
 /// glam computes with it, and every browser has had it since 2023.
 const FLAGS: &str = "-Ctarget-feature=+simd128";
+
+/// The languages of the page, and a step's handout in each.
+const LANGUAGES: [(&str, &str); 2] = [("en", "README.md"), ("pt-BR", "README.pt-BR.md")];
 
 /// The whole page.
 ///
@@ -40,48 +44,17 @@ pub(crate) fn page() -> Result<String> {
     let (mut links, mut articles) = (String::new(), String::new());
     for program in PROGRAMS {
         let (folder, number) = (root.join(program.name), &program.name[4..6]);
-        let handout = handout::read(&folder, program.name)?;
-        let title = handout.title.split_once(" · ").map_or("", |(_, title)| title);
         let _ = writeln!(
             links,
-            "<li><a href=\"#step{number}\"><b>{number}</b> <span>{}</span></a></li>",
-            escape(title)
+            "<li><a href=\"#step{number}\"><b>{number}</b> <span data-step=\"{number}\"></span></a></li>"
         );
-        let _ = writeln!(
-            articles,
-            "<article id=\"handout{number}\" lang=\"en\"><h2>{}</h2>{}",
-            escape(&handout.title),
-            handout.lead
-        );
-        for (place, section) in handout.sections.iter().enumerate() {
-            let (class, open) = match place {
-                0 => ("idea", " open"),
-                1 => ("equation", " open"),
-                2 => ("try", " open"),
-                _ => ("more", ""),
-            };
-            let heading = escape(&section.heading);
-            // The symbols are folded, so that the equation has room beside the picture.
-            let html = match section.html.split_once("<table>") {
-                Some((equation, table)) if class == "equation" => format!(
-                    "{equation}<details><summary data-text=\"symbols\">Symbols</summary><table>{table}</details>"
-                ),
-                _ => section.html.clone(),
-            };
-            let _ = writeln!(
-                articles,
-                "<details class=\"{class}\"{open}><summary><h3>{heading}</h3></summary>{html}</details>"
-            );
-        }
         let difference = root.join("tests/diffs").join(program.name).with_extension("diff");
-        if let Ok(text) = fs::read_to_string(difference) {
-            let _ = writeln!(
-                articles,
-                "<details class=\"more\"><summary><h3 data-text=\"diff\"></h3></summary>{}</details>",
-                handout::difference(&text)
-            );
+        // There is none of the first step.
+        let difference = fs::read_to_string(difference).unwrap_or_default();
+        for (language, file) in LANGUAGES {
+            let handout = handout::read(&folder.join(file), program.name)?;
+            articles.push_str(&article(&handout, number, language, &difference));
         }
-        articles.push_str("</article>\n");
     }
     Ok(filled(
         include_str!("../page/index.html"),
@@ -93,6 +66,43 @@ pub(crate) fn page() -> Result<String> {
             ("wasm", &wasm),
         ],
     ))
+}
+
+/// A step's handout, and what is new in its code, folded.
+fn article(handout: &Handout, number: &str, language: &str, difference: &str) -> String {
+    let title = escape(&handout.title);
+    let mut html = format!(
+        "<article id=\"handout{number}-{language}\" lang=\"{language}\"><h2>{title}</h2>{}",
+        handout.lead
+    );
+    for (place, section) in handout.sections.iter().enumerate() {
+        let (class, open) = match place {
+            0 => ("idea", " open"),
+            1 => ("equation", " open"),
+            2 => ("try", " open"),
+            _ => ("more", ""),
+        };
+        let heading = escape(&section.heading);
+        // The symbols are folded, so that the equation has room beside the picture.
+        let text = match section.html.split_once("<table>") {
+            Some((equation, table)) if class == "equation" => format!(
+                "{equation}<details><summary data-text=\"symbols\"></summary><table>{table}</details>"
+            ),
+            _ => section.html.clone(),
+        };
+        let _ = writeln!(
+            html,
+            "<details class=\"{class}\"{open}><summary><h3>{heading}</h3></summary>{text}</details>"
+        );
+    }
+    if !difference.is_empty() {
+        let lines = handout::difference(difference);
+        let _ = writeln!(
+            html,
+            "<details class=\"more\"><summary><h3 data-text=\"diff\"></h3></summary>{lines}</details>"
+        );
+    }
+    html + "</article>\n"
 }
 
 /// `template` with each `{{name}}` replaced. What is put in is not looked at again.

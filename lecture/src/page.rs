@@ -296,7 +296,8 @@ impl Page {
         let handles: &[Handle] = if handles_too { &handles } else { &[] };
         let mut canvas = Canvas::new(&mut picture);
         if let Some(onlooker) = &self.onlooker {
-            let outside = Outside { step, view, onlooker, area: area(size) };
+            let onlooker = onlooker.camera(size.aspect());
+            let outside = Outside { step, view, onlooker: &*onlooker, area: area(size) };
             outside.draw(&mut canvas, explanation.as_ref(), handles, text_size);
         } else if explanation.is_some() || handles_too {
             let sight = Sight { step, camera: &*camera, area: area(size) };

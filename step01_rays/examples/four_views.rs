@@ -1,22 +1,17 @@
 //! «Geração de raios - paralela / perspectiva»: what is the same for all rays, and what is not.
 use std::process::ExitCode;
 
-use common::Camera;
-use common::Control;
-use common::Explanation;
 use common::Figure;
-use common::Image;
-use common::Pixel;
-use common::Step;
-use common::Vec3;
-use common::View;
+use common::Projection;
+use common::prelude::*;
 use step01_rays::Lesson;
+use step01_rays::Shown;
 
 /// The lesson through a camera of its own.
-#[derive(Clone, Default)]
+#[derive(Clone)]
 struct Seen {
     lesson: Lesson,
-    projection: usize,
+    projection: Projection,
 }
 
 impl Seen {
@@ -34,7 +29,7 @@ impl Step for Seen {
         self.lesson.view()
     }
 
-    fn controls(&mut self) -> Vec<Control<'_>> {
+    fn controls(&mut self) -> Controls<'_> {
         self.lesson.controls()
     }
 
@@ -43,21 +38,24 @@ impl Step for Seen {
         self.lesson.render(&*camera, image);
     }
 
-    fn explain(&self, camera: &dyn Camera, pixel: Pixel) -> Explanation {
+    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &mut Explanation) -> Color {
         let camera = self.camera(camera, pixel.width, pixel.height);
-        self.lesson.explain(&*camera, pixel)
+        self.lesson.tell(&*camera, pixel, say)
     }
 }
 
 fn figure() -> Figure<Seen> {
-    let seen = |projection, shown| {
-        move |seen: &mut Seen| *seen = Seen { lesson: Lesson { shown }, projection }
-    };
-    Figure::new(Seen::default(), 2)
-        .vary("perspective: directions", seen(0, 0))
-        .vary("perspective: origins", seen(0, 1))
-        .vary("parallel: directions", seen(1, 0))
-        .vary("parallel: origins", seen(1, 1))
+    let seen = |projection, shown| Seen { lesson: Lesson { shown }, projection };
+    let panels = [
+        ("perspective: many directions", Projection::Perspective, Shown::Direction),
+        ("perspective: one origin", Projection::Perspective, Shown::Origin),
+        ("parallel: one direction", Projection::Parallel, Shown::Direction),
+        ("parallel: many origins", Projection::Parallel, Shown::Origin),
+    ];
+    let figure = Figure::new(seen(Projection::Perspective, Shown::Direction), 2);
+    panels.into_iter().fold(figure, |figure, (label, projection, shown)| {
+        figure.panel(label, move |panel| *panel = seen(projection, shown))
+    })
 }
 
 fn main() -> ExitCode {

@@ -1,33 +1,51 @@
 //! «Intersecção entre raio e esfera»: one root is where the ray goes in, the other where it leaves.
-//! t is white where it is 2 and black where it is 4; their distance is white where it is 2.
 use std::process::ExitCode;
 
-use common::Color;
 use common::Figure;
-use common::FigureCanvas;
+use common::prelude::*;
+use common::told;
 use step02_sphere::Lesson;
 use step02_sphere::render::render;
 
-/// Shows a number from 0, black, to 1, white, that is made of both roots; equal steps of it look
-/// equal.
-fn draw(number: impl Fn([f32; 2]) -> f32) -> impl Fn(&Lesson, &mut FigureCanvas<'_>) {
-    move |lesson, canvas| {
-        render(canvas.camera, &mut canvas.image(), |ray| {
-            let roots = lesson.sphere.quadratic(ray).roots();
-            roots.map_or(Color::new(0.02, 0.02, 0.1), |roots| Color::splat(number(roots).powf(2.2)))
-        });
-    }
+/// The largest number on the scale of all panels, which starts at 0.
+const END: f32 = 4.0;
+
+const MISSED: Color = Color::new(0.012, 0.014, 0.02);
+
+/// From dark blue for 0 over red for 2 to light yellow for `END`, in steps that look equal.
+fn color(number: f32) -> Color {
+    const SHADES: [[f32; 3]; 5] =
+        [[0.1, 0.1, 0.3], [0.45, 0.12, 0.5], [0.8, 0.2, 0.35], [1.0, 0.6, 0.25], [1.0, 1.0, 0.7]];
+    let place = (number / END).clamp(0.0, 1.0) * (SHADES.len() - 1) as f32;
+    let [below, above] = [place.floor(), place.ceil()].map(|index| SHADES[index as usize]);
+    Color::from(below).lerp(above.into(), place.fract()).powf(2.2)
+}
+
+/// Adds a panel that shows a number made of both roots.
+fn panel(
+    figure: Figure<Lesson>, label: &str, number: impl Fn([f32; 2]) -> f32 + Sync + 'static,
+) -> Figure<Lesson> {
+    figure
+        .panel(label, |_| ())
+        .render(move |lesson, camera, image| {
+            render(camera, image, |ray| {
+                let sphere = |say: &mut _| lesson.sphere.intersect(ray, 0.0, f32::INFINITY, say);
+                told(["t₁", "t₂"], sphere).map_or(MISSED, |roots| color(number(roots)))
+            });
+        })
+        .draw(|_, sketch| sketch.scale(0.0..END, color))
 }
 
 fn figure() -> Figure<Lesson> {
-    Figure::new(Lesson::default(), 3)
-        .aspect(1.0)
-        .controls(&["radius", "center.x", "center.y", "center.z"])
-        .draw("t_1", draw(|[t_1, _]| (4.0 - t_1) / 2.0))
-        .draw("t_2", draw(|[_, t_2]| (4.0 - t_2) / 2.0))
-        .draw("t_2 - t_1", draw(|[t_1, t_2]| (t_2 - t_1) / 2.0))
+    let figure = Figure::new(Lesson::default(), 3)
+        .aspect(0.8)
+        .view(View::new(Vec3::new(0.0, 0.0, 3.0), Vec3::ZERO, 58.0))
+        .controls(&["radius", "center.x", "center.y", "center.z"]);
+    let figure = panel(figure, "t₁", |[t_1, _]| t_1);
+    let figure = panel(figure, "t₂", |[_, t_2]| t_2);
+    panel(figure, "t₂ − t₁", |[t_1, t_2]| t_2 - t_1)
 }
 
 fn main() -> ExitCode {
-    common::figure(env!("CARGO_BIN_NAME"), "Both roots of the quadratic as depth", figure)
+    common::figure(env!("CARGO_BIN_NAME"), "Both roots of the quadratic, and how far apart", figure)
 }

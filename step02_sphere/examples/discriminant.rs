@@ -1,31 +1,38 @@
 //! «Intersecção entre raio e esfera»: the discriminant tells how many solutions there are.
 use std::process::ExitCode;
 
-use common::Color;
 use common::Figure;
-use common::FigureCanvas;
+use common::Ink;
+use common::Sketch;
+use common::prelude::*;
+use common::told;
 use step02_sphere::Lesson;
-use step02_sphere::render::render;
 
-fn draw(lesson: &Lesson, canvas: &mut FigureCanvas<'_>) {
-    render(canvas.camera, &mut canvas.image(), |ray| {
-        match lesson.sphere.quadratic(ray).discriminant {
-            d if d.abs() < 0.02 => Color::ONE,
-            d if d < 0.0 => Color::new(0.1 - d / 3.0, 0.02, 0.02),
-            d => Color::new(0.02, 0.02, 0.1 + d / 2.0),
+fn render(lesson: &Lesson, camera: &dyn Camera, image: &mut Image<'_>) {
+    step02_sphere::render::render(camera, image, |ray| {
+        let sphere = |say: &mut _| lesson.sphere.intersect(ray, 0.0, f32::INFINITY, say);
+        match told(["discriminant"], sphere) {
+            Some([d]) if d.abs() < 0.02 => Color::ONE,
+            Some([d]) if d > 0.0 => Color::new(0.02, 0.05, 0.1 + d / 2.0),
+            Some([d]) => Color::new(0.1 - d / 3.0, 0.02, 0.02),
+            None => Color::ZERO,
         }
     });
-    let center = canvas.project(lesson.sphere.center);
-    canvas.text(center, Color::ONE, "> 0: two roots");
-    canvas.text((0.5, 0.04), Color::ONE, "< 0: no root");
+}
+
+fn draw(lesson: &Lesson, sketch: &mut Sketch<'_>) {
+    sketch.text(sketch.project(lesson.sphere.center), Ink::WHITE, "> 0: two roots");
+    sketch.text(sketch.at(0.16, 0.04), Ink::WHITE, "< 0: no root");
 }
 
 fn figure() -> Figure<Lesson> {
     Figure::new(Lesson::default(), 2)
         .aspect(1.0)
         .controls(&["radius", "center.x", "center.y", "center.z"])
-        .draw("b² - a c, white about 0", draw)
-        .vary("hit or miss", |_| ())
+        .panel("b² − a c, white near 0", |_| ())
+        .render(render)
+        .draw(draw)
+        .panel("hit or miss", |_| ())
 }
 
 fn main() -> ExitCode {

@@ -1,37 +1,39 @@
 //! «Coordenadas baricêntricas»: each weight is constant along lines parallel to one edge.
 use std::process::ExitCode;
 
-use common::Color;
 use common::Figure;
-use common::FigureCanvas;
-use common::Vec3;
-use common::View;
+use common::Ink;
+use common::Sketch;
+use common::prelude::*;
 use step03_triangle::Lesson;
 
-/// Shows one weight, and the lines where it is 0, ¼ … 1.
-fn draw(index: usize) -> impl Fn(&Lesson, &mut FigureCanvas<'_>) {
-    move |lesson, canvas| {
-        canvas.show(&Lesson { shown: index + 1, ..lesson.clone() });
-        let vertex = |offset| lesson.vertices[(index + offset) % 3];
-        let (middle, edge) = ((vertex(1) + vertex(2)) / 2.0, vertex(2) - vertex(1));
-        for (weight, name) in [(0.0, "0"), (0.25, ""), (0.5, "½"), (0.75, ""), (1.0, "1")] {
-            let point = weight * vertex(0) + (1.0 - weight) * middle;
-            let ends = [-0.5, 0.5].map(|along| canvas.project(point + along * edge));
-            canvas.line(ends[0], ends[1], 1.5, Color::ONE);
-            let beside = canvas.project(point + 0.6 * edge);
-            canvas.text(beside, Color::ONE, name);
-        }
+/// Draws the lines where one weight is 0, ¼ … 1, and names the vertices.
+fn draw(lesson: &Lesson, index: usize, sketch: &mut Sketch<'_>) {
+    let vertex = |offset| lesson.vertices[(index + offset) % 3];
+    let (middle, edge) = ((vertex(1) + vertex(2)) / 2.0, vertex(2) - vertex(1));
+    for (weight, name) in [(0.0, "0"), (0.25, "¼"), (0.5, "½"), (0.75, "¾"), (1.0, "1")] {
+        let point = weight * vertex(0) + (1.0 - weight) * middle;
+        let [from, to] = [-0.6, 0.6].map(|along| sketch.project(point + along * edge));
+        sketch.canvas.line(from, to, sketch.stroke, Ink::WHITE);
+        sketch.text(sketch.project(point + 0.72 * edge), Ink::WHITE, name);
+    }
+    for (offset, away) in [(0, 0.2), (1, -0.14), (2, -0.14)] {
+        let beside = sketch.project(vertex(offset) + away * (vertex(0) - middle));
+        sketch.text(beside, Ink::WHITE, ["a", "b", "c"][(index + offset) % 3]);
     }
 }
 
 fn figure() -> Figure<Lesson> {
-    Figure::new(Lesson::default(), 3)
+    let figure = Figure::new(Lesson::default(), 3)
         .aspect(1.0)
-        .view(View::new(Vec3::new(0.0, 0.1, 5.2), Vec3::new(0.0, 0.1, 0.0), 45.0))
-        .controls(&["a.x", "a.y", "b.x", "b.y", "c.x", "c.y"])
-        .draw("α", draw(0))
-        .draw("β", draw(1))
-        .draw("γ", draw(2))
+        .view(View::new(Vec3::new(0.0, 0.0, 5.6), Vec3::ZERO, 45.0))
+        .controls(&["a.x", "a.y", "b.x", "b.y", "c.x", "c.y"]);
+    let weights = [("α", Color::X), ("β", Color::Y), ("γ", Color::Z)];
+    weights.into_iter().enumerate().fold(figure, |figure, (index, (name, shown))| {
+        figure
+            .panel(name, move |lesson| lesson.shown = shown)
+            .draw(move |lesson, sketch| draw(lesson, index, sketch))
+    })
 }
 
 fn main() -> ExitCode {

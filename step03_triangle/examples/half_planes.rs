@@ -2,42 +2,51 @@
 //! half-planes.
 use std::process::ExitCode;
 
-use common::Color;
 use common::Figure;
-use common::FigureCanvas;
-use common::Ray;
+use common::Ink;
+use common::Sketch;
+use common::prelude::*;
+use common::told;
 use step03_triangle::Lesson;
 use step03_triangle::render::render;
 use step03_triangle::triangle::Triangle;
 
-/// Shows where all weights named are positive.
-fn draw(named: &'static [usize]) -> impl Fn(&Lesson, &mut FigureCanvas<'_>) {
-    move |lesson, canvas| {
-        let triangle = Triangle::new(lesson.vertices);
-        let color = named.iter().map(|i| 0.5 * Color::AXES[*i]).sum::<Color>();
-        render(canvas.camera, &mut canvas.image(), |ray: &Ray| {
-            match triangle.solve(ray, 0.0, f32::INFINITY) {
-                Some((_, weights)) if named.iter().all(|i| weights[*i] > 0.0) => color,
-                _ => Color::splat(0.03),
-            }
-        });
-        let [a, b, c] = lesson.vertices.map(|vertex| canvas.project(vertex));
-        for (from, to) in [(a, b), (b, c), (c, a)] {
-            canvas.line(from, to, 1.5, Color::ONE);
-        }
-        for ((u, v), name) in [(a, "a"), (b, "b"), (c, "c")] {
-            canvas.text((u, v + 0.07 * (v - 0.5).signum()), Color::ONE, name);
-        }
+/// Names the vertices of the triangle, and draws its edges.
+fn draw(lesson: &Lesson, sketch: &mut Sketch<'_>) {
+    let center = lesson.vertices.iter().sum::<Vec3>() / 3.0;
+    for (index, name) in ["a", "b", "c"].into_iter().enumerate() {
+        let [from, to] = [index, (index + 1) % 3].map(|index| lesson.vertices[index]);
+        let stroke = sketch.stroke;
+        sketch.canvas.line(sketch.project(from), sketch.project(to), stroke, Ink::WHITE);
+        sketch.text(sketch.project(from + 0.12 * (from - center)), Ink::WHITE, name);
     }
 }
 
+/// Adds a panel that shows where all weights named are positive.
+fn panel(figure: Figure<Lesson>, (label, named): (&str, &'static [usize])) -> Figure<Lesson> {
+    let color = named.iter().map(|index| 0.5 * Color::AXES[*index]).sum::<Color>();
+    figure
+        .panel(label, |_| ())
+        .render(move |lesson, camera, image| {
+            let triangle = Triangle::new(lesson.vertices);
+            render(camera, image, |ray| {
+                let solve = |say: &mut _| triangle.solve(ray, 0.0, f32::INFINITY, say);
+                match told(["α", "β", "γ"], solve) {
+                    Some(weights) if named.iter().all(|index| weights[*index] > 0.0) => color,
+                    _ => Color::splat(0.03),
+                }
+            });
+        })
+        .draw(draw)
+}
+
 fn figure() -> Figure<Lesson> {
-    Figure::new(Lesson::default(), 2)
-        .controls(&["a.x", "a.y", "b.x", "b.y", "c.x", "c.y"])
-        .draw("α > 0", draw(&[0]))
-        .draw("β > 0", draw(&[1]))
-        .draw("γ > 0", draw(&[2]))
-        .draw("α > 0, β > 0, γ > 0", draw(&[0, 1, 2]))
+    let figure =
+        Figure::new(Lesson::default(), 2).controls(&["a.x", "a.y", "b.x", "b.y", "c.x", "c.y"]);
+    let all: &[usize] = &[0, 1, 2];
+    let panels =
+        [("α > 0", &all[..1]), ("β > 0", &all[1..2]), ("γ > 0", &all[2..]), ("α, β, γ > 0", all)];
+    panels.into_iter().fold(figure, panel)
 }
 
 fn main() -> ExitCode {

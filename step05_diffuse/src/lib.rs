@@ -52,7 +52,7 @@ impl Step for Lesson {
                 controls.brightness("k_d", 0.05..=1.0, &mut object.material.k_d);
             }
         }
-        for light in [&mut self.scene.light] {
+        for light in std::iter::once(&mut self.scene.light) {
             controls.group_of("diffuse reflection", "light", light.name);
             controls.point("light", -10.0..=10.0, &mut light.position);
             controls.number("I", 0.0..=200.0, &mut light.intensity);

@@ -7,8 +7,8 @@ use step06_shadows::Lesson;
 fn figure() -> Figure<Lesson> {
     Figure::new(Lesson::default(), 2)
         .controls(&["epsilon", "lights", "light.x", "light.y", "light.z"])
-        .vary("ε = 0", |lesson| lesson.scene.epsilon = 0.0)
-        .vary("with ε", |_| ())
+        .panel("ε = 0", |lesson| lesson.scene.epsilon = 0.0)
+        .panel("with ε", |_| ())
 }
 
 fn main() -> ExitCode {

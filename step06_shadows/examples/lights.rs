@@ -2,22 +2,37 @@
 use std::process::ExitCode;
 
 use common::Figure;
+use common::prelude::*;
 use step06_shadows::Lesson;
+use step06_shadows::light::PointLight;
+
+/// Adds a light where the picture is seen from.
+fn add_camera_light(lesson: &mut Lesson, intensity: f32, camera: &dyn Camera) {
+    lesson.scene.lights.push(PointLight {
+        name: "camera light",
+        position: camera.generate_ray(0.5, 0.5).origin,
+        intensity,
+        attenuation: true,
+    });
+}
 
 fn figure() -> Figure<Lesson> {
-    let light = |lit, ambient, camera_light| {
+    let light = |lit, ambient| {
         move |lesson: &mut Lesson| {
             lesson.scene.lit = lit;
             lesson.scene.ambient = ambient;
-            lesson.scene.camera_light = camera_light;
         }
     };
     Figure::new(Lesson::default(), 2)
-        .controls(&["light", "light.x", "light.y", "light.z", "I", "shadows"])
-        .vary("one light", light(1, 0.0, 0.0))
-        .vary("two lights", light(2, 0.0, 0.0))
-        .vary("one light and ambient", light(1, 1.0, 0.0))
-        .vary("one light, one at the camera", light(1, 0.0, 8.0))
+        .slider("camera_light", 0.0..=50.0, 8.0, add_camera_light)
+        .controls(&["light.x", "light.y", "light.z", "I", "shadows"])
+        .panel("one light", light(1, 0.0))
+        .panel("two lights", light(2, 0.0))
+        .panel("one light and ambient", light(1, 1.0))
+        .panel("one light, and one at the camera", move |lesson| {
+            light(2, 0.0)(lesson);
+            lesson.scene.lights.remove(1);
+        })
 }
 
 fn main() -> ExitCode {

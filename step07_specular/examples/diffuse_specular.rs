@@ -6,9 +6,9 @@ use step07_specular::Lesson;
 
 fn figure() -> Figure<Lesson> {
     Figure::new(Lesson::default(), 2)
-        .controls(&["sphere", "k_d", "k_s", "p", "light.x", "light.y", "light.z", "phong"])
-        .vary("diffuse", |lesson| lesson.scene.terms = [true, true, false])
-        .vary("diffuse + specular", |_| ())
+        .controls(&["k_d", "k_s", "p", "light.x", "light.y", "light.z", "phong"])
+        .panel("diffuse", |lesson| lesson.scene.weights[2] = 0.0)
+        .panel("diffuse + specular", |_| ())
 }
 
 fn main() -> ExitCode {

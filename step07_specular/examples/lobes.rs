@@ -1,37 +1,60 @@
 //! «Modelo Phong/Blinn-Phong»: increasing n narrows the lobe cosⁿα that a highlight is made of.
 use std::process::ExitCode;
 
-use common::Color;
+use common::Anchor;
 use common::Figure;
-use common::Ray;
-use common::Vec3;
+use common::Ink;
+use common::Sketch;
+use common::prelude::*;
+use common::told;
 use step07_specular::Lesson;
 use step07_specular::intersection::IntersectionRecord;
 use step07_specular::light::PointLight;
 use step07_specular::material::Material;
 
-/// L_s for k_s = I/r² = 1, when light falls straight down on a floor and the viewer is `degrees`
-/// away from where a mirror would send it.
-fn highlight(phong: bool, exponent: f32, degrees: f32) -> f32 {
+/// cosⁿα when light falls straight down on a floor and the viewer is `degrees` away from where a
+/// mirror would send it.
+fn highlight(material: &Material, exponent: f32, degrees: f32) -> f32 {
     let (sin, cos) = degrees.to_radians().sin_cos();
     let ray = Ray::new(Vec3::new(sin, cos, 0.0), Vec3::new(-sin, -cos, 0.0));
     let record = IntersectionRecord { t: 1.0, point: Vec3::ZERO, normal: Vec3::Y };
-    let light = PointLight { position: Vec3::Y, intensity: 1.0, attenuation: true };
-    let material = Material { k_a: Color::ZERO, k_d: Color::ZERO, k_s: 1.0, exponent };
-    material.shade(&ray, &record, &light, phong).l_s
+    let light = PointLight { name: "", position: Vec3::Y, intensity: 1.0, attenuation: true };
+    let material = Material { exponent, ..*material };
+    let shade = |say: &mut _| material.shade(&ray, &record, &light, say);
+    told(["max(0, cos α)^p"], shade).map_or(0.0, |[highlight]| highlight)
+}
+
+fn draw(lesson: &Lesson, sketch: &mut Sketch<'_>) {
+    let material = &lesson.scene.objects[0].material;
+    let axes = sketch.axes("degrees from v_r to v", 0.0..90.0, 0.0..1.0);
+    let (right, line) = (axes.at(88.0, 1.0), 1.3 * sketch.size);
+    let chosen = material.exponent.round();
+    let exponents = (0..=8).map(|power| 2.0_f32.powi(power)).chain([chosen]);
+    for (index, n) in exponents.enumerate() {
+        let part = index as f32 / 8.0;
+        let orange = Color::new(1.0, 0.3, 0.02);
+        let curve = Ink::encoded(orange.lerp(Color::new(0.05, 0.3, 1.0), part));
+        let (width, ink) = if index > 8 { (2.0, Ink::WHITE) } else { (1.2, curve) };
+        sketch.curve(&axes, width, ink, |x| highlight(material, n, x));
+        let at = (right.0, right.1 + (index as f32 + 0.5) * line);
+        sketch.canvas.text(at, Anchor::Right, sketch.size, ink, &format!("n = {n}"));
+    }
 }
 
 fn figure() -> Figure<Lesson> {
     let mut lesson = Lesson::default();
-    lesson.scene.phong = true;
-    Figure::new(lesson, 1).controls(&["phong"]).draw("cos^n α", |lesson, canvas| {
-        let phong = lesson.scene.phong;
-        let curve = |n: u16| (format!("n = {n}"), move |x| highlight(phong, f32::from(n), x));
-        let curves = [1, 2, 4, 8, 16, 32, 64, 128, 256].map(curve);
-        canvas.plot("degrees from v_r to v", 0.0..89.0, 0.0..1.0, &curves);
-    })
+    lesson.scene.objects.truncate(1);
+    lesson.scene.objects[0].material.phong = true;
+    Figure::new(lesson, 1)
+        .slider("n", 1.0..=256.0, 12.0, |lesson, n, _| {
+            lesson.scene.objects[0].material.exponent = n;
+        })
+        .controls(&["phong"])
+        .panel("cosⁿα", |_| ())
+        .render(|_, _, _| ())
+        .draw(draw)
 }
 
 fn main() -> ExitCode {
-    common::figure(env!("CARGO_BIN_NAME"), "The larger n, the narrower the lobe cos^n α", figure)
+    common::figure(env!("CARGO_BIN_NAME"), "The larger n, the narrower the lobe cosⁿα", figure)
 }

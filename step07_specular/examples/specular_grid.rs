@@ -2,24 +2,24 @@
 use std::process::ExitCode;
 
 use common::Figure;
-use common::Vec3;
-use common::View;
+use common::prelude::*;
 use step07_specular::Lesson;
+use step07_specular::sphere::Sphere;
+use step07_specular::surface::Surface;
 
 fn figure() -> Figure<Lesson> {
     let mut lesson = Lesson::default();
-    lesson.scene.triangles.clear();
-    lesson.scene.spheres[0].surface.center = Vec3::ZERO;
+    lesson.scene.objects.truncate(1);
+    lesson.scene.objects[0].surface = Surface::Sphere(Sphere { center: Vec3::ZERO, radius: 1.0 });
     let mut figure = Figure::new(lesson, 4)
         .aspect(1.0)
         .view(View::new(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, 28.0))
         .controls(&["k_d", "light.x", "light.y", "light.z", "I", "lights", "phong"]);
     for k_s in [0.9, 0.6, 0.3] {
         for p in [10.0, 40.0, 160.0, 640.0] {
-            figure = figure.vary(format!("k_s {k_s}, p {p}"), move |lesson| {
-                lesson.scene.spheres.truncate(1);
-                lesson.scene.spheres[0].material.k_s = k_s;
-                lesson.scene.spheres[0].material.exponent = p;
+            figure = figure.panel(format!("k_s = {k_s}, p = {p}"), move |lesson| {
+                let material = &mut lesson.scene.objects[0].material;
+                (material.k_s, material.exponent) = (k_s, p);
             });
         }
     }

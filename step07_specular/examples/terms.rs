@@ -5,13 +5,13 @@ use common::Figure;
 use step07_specular::Lesson;
 
 fn figure() -> Figure<Lesson> {
-    let only = |terms| move |lesson: &mut Lesson| lesson.scene.terms = terms;
-    Figure::new(Lesson::default(), 4)
-        .controls(&["sphere", "k_d", "k_a", "I_a", "k_s", "p", "lights", "phong"])
-        .vary("L_a", only([true, false, false]))
-        .vary("L_d", only([false, true, false]))
-        .vary("L_s", only([false, false, true]))
-        .vary("L_a + L_d + L_s", |_| ())
+    let only = |weights| move |lesson: &mut Lesson| lesson.scene.weights = weights;
+    Figure::new(Lesson::default(), 2)
+        .controls(&["k_d", "k_a", "I_a", "k_s", "p", "lights", "phong"])
+        .panel("L_a", only([1.0, 0.0, 0.0]))
+        .panel("L_d", only([0.0, 1.0, 0.0]))
+        .panel("L_s", only([0.0, 0.0, 1.0]))
+        .panel("L = L_a + L_d + L_s", |_| ())
 }
 
 fn main() -> ExitCode {

@@ -25,9 +25,11 @@ use super::window;
 use crate::Canvas;
 use crate::Comparison;
 use crate::Frame;
-use crate::Make;
+use crate::KEYS;
 use crate::Outside;
 use crate::Pixel;
+use crate::Program;
+use crate::Session;
 use crate::Setting;
 use crate::SettingError;
 use crate::Setup;
@@ -40,15 +42,6 @@ use crate::side_by_side;
 
 /// The most rays a pixel are this many squared.
 const MAX_SAMPLES: usize = 16;
-
-/// A step as a program.
-pub(crate) struct Program {
-    pub(crate) name: &'static str,
-    pub(crate) concept: &'static str,
-    /// How large the picture is unless told otherwise.
-    pub(crate) size: Size,
-    pub(crate) make: Make,
-}
 
 /// What is to be made, and how.
 pub(crate) struct Job<'a> {
@@ -111,11 +104,17 @@ pub(crate) fn run(program: &Program) -> ExitCode {
     }
     let written = match output {
         Some(path) => job.write(path),
-        None => match window::Window::open(program, size) {
-            Ok(window) => window.run(job),
+        None => match window::Window::open(&program.title(), size) {
+            Ok(window) => {
+                let session = Session::new(vec![program.clone()], 0, job.setup, size, samples);
+                return status(window.run(session, samples).map(|()| true));
+            }
             Err(error) => {
                 let path = PathBuf::from(format!("{}.png", program.name));
-                report(program, &format!("no window ({error}), so the picture goes to a file"));
+                report(
+                    program.name,
+                    &format!("no window ({error}), so the picture goes to a file"),
+                );
                 job.write(&path)
             }
         },
@@ -262,8 +261,8 @@ Controls (default):
         let _ = writeln!(text, "  {name:<14} {takes} ({value})");
     }
     text.push_str("\nIn the window:\n");
-    for (keys, effect) in window::KEYS {
-        let _ = writeln!(text, "  {keys:<14} {effect}");
+    for (keys, effect) in KEYS {
+        let _ = writeln!(text, "  {keys:<16} {effect}");
     }
     text
 }
@@ -272,12 +271,14 @@ impl Job<'_> {
     /// Writes the picture to the file `path`.
     fn write(&mut self, path: &Path) -> Result<()> {
         let Self { program, size, .. } = *self;
-        file::remove_unfinished_on_signal()?;
         file::check_destination(path)?;
         let (mut picture, time) = self.render();
         self.draw(&mut picture);
         file::save_png(&picture, path)?;
-        report(program, &format!("{size} rendered in {time} ms, written to {}", path.display()));
+        report(
+            program.name,
+            &format!("{size} rendered in {time} ms, written to {}", path.display()),
+        );
         Ok(())
     }
 
@@ -285,7 +286,6 @@ impl Job<'_> {
     /// difference to `output`; whether they are equal.
     fn compare(&self, file: &Path, output: Option<&PathBuf>) -> Result<bool> {
         let Self { program, size, .. } = self;
-        file::remove_unfinished_on_signal()?;
         let found = file::read_png(file)?;
         if let Some(path) = output {
             file::check_destination(path)?;
@@ -303,7 +303,7 @@ impl Job<'_> {
             file::save_png(&side_by_side(&expected, &found), path)?;
             let _ = write!(done, "; both and their difference written to {}", path.display());
         }
-        report(program, &done);
+        report(program.name, &done);
         Ok(comparison.is_equal())
     }
 
@@ -322,7 +322,8 @@ impl Job<'_> {
         let area = canvas.area();
         let text_size = (area.height / 30.0).clamp(11.0, 40.0);
         if let Some(onlooker) = &self.onlooker {
-            let outside = Outside { step, view, onlooker, area };
+            let onlooker = onlooker.camera(self.size.aspect());
+            let outside = Outside { step, view, onlooker: &*onlooker, area };
             outside.draw(&mut canvas, explanation.as_ref(), &handles, text_size);
         } else {
             let sight = Sight { step, camera: &*camera, area };
@@ -353,8 +354,8 @@ pub(crate) fn print(text: &str) -> Result<()> {
 }
 
 /// Says on standard error what was done.
-pub(crate) fn report(program: &Program, text: &str) {
-    tell(&format!("{}: {text}", program.name));
+pub(crate) fn report(name: &str, text: &str) {
+    tell(&format!("{name}: {text}"));
 }
 
 fn usage(message: &str) -> ExitCode {

@@ -7,6 +7,7 @@ use rayon::iter::ParallelIterator;
 use rayon::slice::ParallelSliceMut;
 
 use crate::Camera;
+use crate::Canvas;
 use crate::Frame;
 use crate::Size;
 use crate::Step;
@@ -28,7 +29,7 @@ pub(crate) struct Drawing {
     size: Size,
     samples: usize,
     camera: Box<dyn Camera>,
-    pixels: Vec<u32>,
+    picture: RgbImage,
     /// The pass that is being rendered; none when all are done.
     pass: Option<Pass>,
     finished: Finished,
@@ -71,26 +72,30 @@ impl Pass {
 }
 
 impl Drawing {
-    /// A black picture, to be started.
-    pub(crate) fn new(size: Size, samples: usize, camera: Box<dyn Camera>) -> Self {
-        Self {
+    /// A black picture, of which the first pass shall take no longer than `draft`.
+    pub(crate) fn new(
+        size: Size, samples: usize, camera: Box<dyn Camera>, draft: Duration,
+    ) -> Self {
+        let mut drawing = Self {
             size,
             samples,
             camera,
-            pixels: vec![0; size.width() * size.height()],
+            picture: black(size),
             pass: None,
             finished: Finished { grid: 1, samples, time: Duration::ZERO },
             cost: 1e-6,
-        }
+        };
+        drawing.start(draft);
+        drawing
     }
 
     pub(crate) fn size(&self) -> Size {
         self.size
     }
 
-    /// As much of the picture as there is, as 0RGB.
-    pub(crate) fn pixels(&self) -> &[u32] {
-        &self.pixels
+    /// As much of the picture as there is.
+    pub(crate) fn picture(&self) -> &RgbImage {
+        &self.picture
     }
 
     pub(crate) fn finished(&self) -> Finished {
@@ -114,9 +119,14 @@ impl Drawing {
         }
         if self.size != size {
             self.size = size;
-            self.pixels = vec![0; size.width() * size.height()];
+            self.picture = black(size);
         }
         self.camera = camera;
+        self.start(draft);
+    }
+
+    fn start(&mut self, draft: Duration) {
+        let size = self.size;
         let affordable = draft.as_secs_f64() / self.cost;
         let is_affordable = |grid: &usize| {
             let coarse = Pass::new(*grid, 1, true).size(size);
@@ -132,6 +142,7 @@ impl Drawing {
         while let Some(mut pass) = self.pass {
             self.batch(step, &mut pass);
             if pass.row == pass.size(self.size).height() {
+                self.draw_over(step);
                 self.finish(pass);
                 return true;
             }
@@ -157,20 +168,27 @@ impl Drawing {
         pass.time += start.elapsed();
 
         let (width, height) = (self.size.width(), self.size.height());
+        let line_length = 3 * width;
+        let samples: &mut [u8] = &mut self.picture;
         for (row, rgb) in (pass.row..).zip(rgb.chunks_exact(3 * size.width())) {
             // In a draft a row of the grid is as many of the picture's rows as are nearest.
             let top = row * height / size.height();
             let bottom = (row + 1) * height / size.height();
-            let line = &mut self.pixels[top * width..(top + 1) * width];
-            for (col, pixel) in line.iter_mut().enumerate() {
+            let line = &mut samples[top * line_length..(top + 1) * line_length];
+            for (col, pixel) in line.chunks_exact_mut(3).enumerate() {
                 let first = 3 * (col * size.width() / width);
-                *pixel = u32::from_be_bytes([0, rgb[first], rgb[first + 1], rgb[first + 2]]);
+                pixel.copy_from_slice(&rgb[first..first + 3]);
             }
             for copy in top + 1..bottom {
-                self.pixels.copy_within(top * width..(top + 1) * width, copy * width);
+                let line = top * line_length..(top + 1) * line_length;
+                samples.copy_within(line, copy * line_length);
             }
         }
         pass.row += rows;
+    }
+
+    fn draw_over(&mut self, step: &dyn Step) {
+        step.draw_over(&*self.camera, &mut Canvas::new(&mut self.picture));
     }
 
     fn finish(&mut self, pass: Pass) {
@@ -195,14 +213,8 @@ impl Drawing {
             self.cost = cost.min(self.cost + (cost - self.cost) / 4.0);
         }
     }
+}
 
-    /// The pixels as a picture that can be saved.
-    pub(crate) fn picture(&self) -> RgbImage {
-        let mut picture = RgbImage::new(self.size.width() as u32, self.size.height() as u32);
-        for (rgb, pixel) in picture.pixels_mut().zip(&self.pixels) {
-            let [_, r, g, b] = pixel.to_be_bytes();
-            rgb.0 = [r, g, b];
-        }
-        picture
-    }
+fn black(size: Size) -> RgbImage {
+    RgbImage::new(size.width() as u32, size.height() as u32)
 }

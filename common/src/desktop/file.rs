@@ -1,56 +1,27 @@
 use std::fs;
 use std::fs::File;
 use std::io;
-use std::io::BufWriter;
 use std::io::Write;
 use std::path::Path;
 use std::path::PathBuf;
-use std::sync::Mutex;
-use std::sync::MutexGuard;
-use std::sync::PoisonError;
 
-use anyhow::Context;
 use anyhow::Result;
 use anyhow::anyhow;
 use anyhow::bail;
 use image::DynamicImage;
-use image::ExtendedColorType;
 use image::ImageDecoder;
-use image::ImageEncoder;
 use image::ImageError;
 use image::ImageFormat;
 use image::ImageReader;
 use image::Limits;
 use image::RgbImage;
 use image::codecs::png::PngEncoder;
+use tempfile::Builder;
+use tempfile::NamedTempFile;
+use tempfile::PersistError;
 
 use crate::Size;
 use crate::SizeError;
-
-/// The file that is being written, to be removed should the program be told to end.
-static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
-
-fn unfinished() -> MutexGuard<'static, Option<PathBuf>> {
-    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// From now on SIGINT, SIGTERM and SIGHUP end the program at once and leave no unfinished file.
-///
-/// If one of them is already ignored, as after `nohup`, all of them are left as they are.
-pub(crate) fn remove_unfinished_on_signal() -> Result<()> {
-    let end = || {
-        // Held until the end, so that no file appears after the last one was removed.
-        let unfinished = unfinished();
-        if let Some(path) = unfinished.as_ref() {
-            let _ = fs::remove_file(path);
-        }
-        std::process::exit(130);
-    };
-    match ctrlc::try_set_handler(end) {
-        Ok(()) | Err(ctrlc::Error::MultipleHandlers) => Ok(()),
-        Err(error) => Err(error).context("cannot listen for Ctrl-C"),
-    }
-}
 
 /// Whether two names are of the same file.
 pub(crate) fn is_same(a: &Path, b: &Path) -> bool {
@@ -93,15 +64,24 @@ pub(crate) fn check_destination(path: &Path) -> Result<()> {
 /// When `path` fails [`check_destination`], or its folder is read-only, or the disk is full.
 pub(crate) fn save_png(picture: &RgbImage, path: &Path) -> Result<()> {
     check_destination(path)?;
-    let written = match fs::metadata(path) {
+    let write = || {
+        let old = match fs::metadata(path) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+            old => Some(old?),
+        };
         // A device or a pipe cannot be replaced, and has no content to lose.
-        Ok(metadata) if !metadata.is_file() => {
-            File::options().write(true).open(path).and_then(|file| write_png(picture, file))
+        if old.as_ref().is_some_and(|old| !old.is_file()) {
+            return File::options().write(true).open(path)?.write_all(&encoded(picture)?);
         }
-        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
-        _ => replace(picture, &behind_links(path)),
+        let path = behind_links(path);
+        let part = written(picture, &path)?;
+        if let Some(old) = old {
+            part.as_file().set_permissions(old.permissions())?;
+        }
+        part.persist(path)?;
+        Ok(())
     };
-    written.map_err(|error| unwritable(path, &error))
+    write().map_err(|error| unwritable(path, &error))
 }
 
 /// Where links lead, even if there is no file yet, so that it is written and the links stay.
@@ -123,89 +103,37 @@ fn unwritable(path: &Path, error: &io::Error) -> anyhow::Error {
 ///
 /// When the folder is read-only or the disk is full.
 pub(crate) fn save_new_png(picture: &RgbImage, stem: &str) -> Result<PathBuf> {
-    let mut number = 1;
-    loop {
-        let path = PathBuf::from(format!("{stem}-{number}.png"));
-        number += 1;
-        // Looked for before the picture is written, which takes longer.
-        if fs::symlink_metadata(&path).is_ok() {
-            continue;
-        }
-        match put(picture, &path, name_new) {
-            // Somebody else was faster.
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-            Err(error) => return Err(unwritable(&path, &error)),
-            Ok(()) => return Ok(path),
-        }
-    }
-}
-
-/// Gives the file `part` the name `path`, unless there is such a file.
-fn name_new(part: &Path, path: &Path) -> io::Result<()> {
-    match fs::hard_link(part, path) {
-        Ok(()) => {
-            // The picture has its name, whatever becomes of the other one.
-            let _ = fs::remove_file(part);
-            Ok(())
-        }
-        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => Err(error),
-        // Some file systems, such as a USB stick's, have no links.
-        Err(_) if path.exists() => Err(io::ErrorKind::AlreadyExists.into()),
-        Err(_) => fs::rename(part, path),
-    }
-}
-
-/// Puts `picture` in the place of the file `path`, if there is one, for the same people to see.
-fn replace(picture: &RgbImage, path: &Path) -> io::Result<()> {
-    put(picture, path, |part, path| {
-        if let Ok(old) = fs::metadata(path) {
-            fs::set_permissions(part, old.permissions())?;
-        }
-        fs::rename(part, path)
-    })
-}
-
-/// Writes all of `picture` under another name in the same folder, which `name` then changes to
-/// `path`.
-fn put(
-    picture: &RgbImage, path: &Path, name: impl FnOnce(&Path, &Path) -> io::Result<()>,
-) -> io::Result<()> {
-    let part = |attempt: usize| {
-        path.with_file_name(format!(".picture-{}-{attempt}.part", std::process::id()))
-    };
-    let (part, file) = {
-        let mut unfinished = unfinished();
-        let mut attempt = 0;
-        // One that was killed may have left a file, and had the same process id.
-        let file = loop {
-            match File::options().write(true).create_new(true).open(part(attempt)) {
-                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => attempt += 1,
-                file => break file?,
+    let mut path = PathBuf::from(format!("{stem}-1.png"));
+    let mut part = written(picture, &path).map_err(|error| unwritable(&path, &error))?;
+    for number in 2.. {
+        match part.persist_noclobber(&path) {
+            Ok(_) => break,
+            Err(PersistError { error, file }) if error.kind() == io::ErrorKind::AlreadyExists => {
+                part = file;
+                path = PathBuf::from(format!("{stem}-{number}.png"));
             }
-        };
-        *unfinished = Some(part(attempt));
-        (part(attempt), file)
-    };
-    let written = write_png(picture, file);
-    let mut unfinished = unfinished();
-    let named = written.and_then(|()| name(&part, path));
-    if named.is_err() {
-        let _ = fs::remove_file(&part);
+            Err(PersistError { error, .. }) => return Err(unwritable(&path, &error)),
+        }
     }
-    *unfinished = None;
-    named
+    Ok(path)
 }
 
-fn write_png(picture: &RgbImage, file: File) -> io::Result<()> {
-    let mut writer = BufWriter::new(file);
-    let (width, height) = picture.dimensions();
-    PngEncoder::new(&mut writer)
-        .write_image(picture, width, height, ExtendedColorType::Rgb8)
-        .map_err(|error| match error {
-            ImageError::IoError(error) => error,
-            error => io::Error::other(error),
-        })?;
-    writer.flush()
+/// All of `picture` in a file beside `path`, which is removed unless it is given a name.
+fn written(picture: &RgbImage, path: &Path) -> io::Result<NamedTempFile> {
+    // Before there is a file: a program that is killed has hardly the time to leave one behind.
+    let bytes = encoded(picture)?;
+    let folder = path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
+    // Not only for its owner to read, as temporary files are.
+    let mut part = Builder::new().make_in(folder, |part| File::create_new(part))?;
+    part.write_all(&bytes)?;
+    Ok(part)
+}
+
+fn encoded(picture: &RgbImage) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let encoder = PngEncoder::new(&mut bytes);
+    picture.write_with_encoder(encoder).map_err(io::Error::other)?;
+    Ok(bytes)
 }
 
 /// Reads a PNG of any kind as 8-bit RGB; transparency is dropped.

@@ -3,7 +3,6 @@
 mod command_line;
 mod drawing;
 mod file;
-mod overlay;
 mod progress;
 mod window;
 
@@ -12,18 +11,17 @@ use std::rc::Rc;
 
 #[cfg(feature = "figures")]
 use crate::Figure;
+use crate::Program;
 use crate::Size;
 use crate::Step;
-use command_line::Program;
 
 /// What a step's `main` runs: the command line, and what it asks for.
 ///
 /// `name` is the step's package, `concept` the line that says what it teaches. The exit status is
-/// 0 when all was done, 1 when it failed or a comparison found a difference, 2 for wrong usage, 130
-/// when Ctrl-C or a signal ended it.
+/// 0 when all was done, 1 when it failed or a comparison found a difference, 2 for wrong usage.
 pub fn main<S: Step + Default + 'static>(name: &'static str, concept: &'static str) -> ExitCode {
     let make = Rc::new(|| Box::new(S::default()) as Box<dyn Step>);
-    command_line::run(&Program { name, concept, size: Size::DEFAULT, make })
+    command_line::run(&Program::new(name, concept, Size::DEFAULT, make))
 }
 
 /// What an example's `main` runs: a step's program, for a figure of that step.
@@ -32,5 +30,6 @@ pub fn figure<L: Step + Clone + 'static>(
     name: &'static str, concept: &'static str, figure: fn() -> Figure<L>,
 ) -> ExitCode {
     let make = Rc::new(move || Box::new(figure()) as Box<dyn Step>);
-    command_line::run(&Program { name, concept, size: figure().size(), make })
+    let program = Program::new(name, concept, figure().size(), make);
+    command_line::run(&Program { is_figure: true, ..program })
 }

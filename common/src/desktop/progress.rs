@@ -1,41 +1,54 @@
-use std::sync::Once;
+use std::io;
+use std::io::IsTerminal;
+use std::io::Write;
+use std::sync::atomic::AtomicUsize;
+use std::sync::atomic::Ordering;
 use std::time::Duration;
 use std::time::Instant;
 
-use indicatif::ProgressBar;
-use indicatif::ProgressDrawTarget;
-use indicatif::ProgressStyle;
-
-/// A bar on a terminal's standard error for work that takes more than half a second; nothing on a
+/// A line on a terminal's standard error for work that takes more than half a second; nothing on a
 /// pipe.
 pub(crate) struct Progress {
     start: Instant,
-    bar: ProgressBar,
-    shown: Once,
+    rows: usize,
+    done: AtomicUsize,
+    is_terminal: bool,
 }
 
 impl Progress {
+    /// For work on `rows` rows, at least 1, that begins now.
     pub(crate) fn new(rows: usize) -> Self {
-        let bar = ProgressBar::with_draw_target(Some(rows as u64), ProgressDrawTarget::hidden());
-        let template = "{bar:40} {percent:>3} %  {elapsed} elapsed, {eta} to go";
-        if let Ok(style) = ProgressStyle::with_template(template) {
-            bar.set_style(style);
-        }
-        Self { start: Instant::now(), bar, shown: Once::new() }
+        let is_terminal = io::stderr().is_terminal();
+        Self { start: Instant::now(), rows, done: AtomicUsize::new(0), is_terminal }
     }
 
     /// Counts `rows` more as done.
     pub(crate) fn add(&self, rows: usize) {
-        self.bar.inc(rows as u64);
-        if self.start.elapsed() > Duration::from_millis(500) {
-            self.shown.call_once(|| self.bar.set_draw_target(ProgressDrawTarget::stderr()));
+        let done = self.done.fetch_add(rows, Ordering::Relaxed) + rows;
+        let elapsed = self.start.elapsed();
+        if self.is_shown(elapsed) {
+            let share = done as f64 / self.rows as f64;
+            let to_go = elapsed.as_secs_f64() * (1.0 / share - 1.0);
+            replace_line(&format!("{:.0} %, {:.0} s to go", (100.0 * share).floor(), to_go.ceil()));
         }
     }
 
-    /// Takes the bar off the screen and says how long all took.
+    /// Takes the line off the screen and says how long all took.
     pub(crate) fn finish(self) -> Duration {
         let elapsed = self.start.elapsed();
-        self.bar.finish_and_clear();
+        if self.is_shown(elapsed) {
+            replace_line("");
+        }
         elapsed
     }
+
+    fn is_shown(&self, elapsed: Duration) -> bool {
+        self.is_terminal && elapsed > Duration::from_millis(500)
+    }
+}
+
+/// Puts `text` in the place of what the terminal's last line begins with.
+fn replace_line(text: &str) {
+    // Without standard error there is nobody to tell.
+    let _ = write!(io::stderr(), "\r{text:40}\r");
 }

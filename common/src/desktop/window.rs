@@ -13,44 +13,25 @@ use anyhow::Context;
 use anyhow::Result;
 use anyhow::anyhow;
 use anyhow::ensure;
+use image::RgbImage;
 use minifb::InputCallback;
-use minifb::Key;
 use minifb::MouseButton;
 use minifb::MouseMode;
 use minifb::ScaleMode;
 use minifb::WindowOptions;
 
-use super::command_line::Job;
-use super::command_line::Program;
 use super::command_line::print;
 use super::command_line::report;
 use super::drawing::Drawing;
 use super::file;
-use super::overlay::Caption;
-use super::overlay::Overlay;
-use super::overlay::Target;
-use super::overlay::mark;
-use crate::Pixel;
-use crate::Setup;
+use crate::Effect;
+use crate::Event;
+use crate::Key;
+use crate::Session;
 use crate::Size;
-use crate::View;
+use crate::Wanted;
 
-/// The window's keys, what else it understands, and what they do.
-pub(crate) const KEYS: &[(&str, &str)] = &[
-    ("Up, Down", "select a control"),
-    ("Left, Right", "change it; with Shift in fine steps"),
-    ("Home", "reset all controls"),
-    ("Space", "hide or show what lies over the picture"),
-    ("F1", "show or hide these keys"),
-    ("F2", "save the picture as a new PNG"),
-    ("Esc", "quit"),
-    ("drag", "orbit; on a slider, change its control"),
-    ("wheel", "nearer or further"),
-    ("click", "print how the pixel came by its colour"),
-];
-
-const HINT: &str = "Up/Down select  Left/Right change  F1 all keys  Space hide";
-const SAVING: &str = "to be saved when complete  Esc quit";
+const SAVING: &str = "saved as soon as it is complete; Esc quits";
 
 /// From one picture to the next while something is being changed, the work of the window system
 /// included: 40 a second.
@@ -70,12 +51,6 @@ const RESEND_SHARE: u32 = 50;
 /// The longest side that every window system takes.
 const LONGEST: usize = 16384;
 
-/// How far the mouse may move during a click, in pixels.
-const CLICK: f32 = 3.0;
-
-/// What a notch of the wheel multiplies the distance by.
-const ZOOM: f32 = 0.9;
-
 /// What minifb counts for a notch. On X11, where a notch is a button, both its press and its
 /// release count.
 const NOTCH: f32 = if cfg!(windows) {
@@ -89,9 +64,9 @@ const NOTCH: f32 = if cfg!(windows) {
 /// A window without content yet.
 pub(crate) struct Window {
     window: minifb::Window,
-    keys: Receiver<(Key, bool)>,
+    keys: Receiver<(minifb::Key, bool)>,
     /// Keys pressed and released, to be dealt with.
-    typed: VecDeque<(Key, bool)>,
+    typed: VecDeque<(minifb::Key, bool)>,
     /// Whether the mouse button is down.
     pressed: bool,
     /// Notches of the wheel, to be dealt with.
@@ -104,12 +79,12 @@ pub(crate) struct Window {
     cost: Duration,
 }
 
-struct Keys(Sender<(Key, bool)>);
+struct Keys(Sender<(minifb::Key, bool)>);
 
 impl InputCallback for Keys {
     fn add_char(&mut self, _: u32) {}
 
-    fn set_key_state(&mut self, key: Key, down: bool) {
+    fn set_key_state(&mut self, key: minifb::Key, down: bool) {
         // The receiver is gone only when the window closes.
         let _ = self.0.send((key, down));
     }
@@ -121,7 +96,7 @@ impl Window {
     /// # Errors
     ///
     /// When there is no display, or the window would be too large for it.
-    pub(crate) fn open(program: &Program, size: Size) -> Result<Self> {
+    pub(crate) fn open(title: &str, size: Size) -> Result<Self> {
         let (width, height) = (size.width(), size.height());
         ensure!(
             width.max(height) <= LONGEST,
@@ -132,8 +107,7 @@ impl Window {
             scale_mode: ScaleMode::Stretch,
             ..WindowOptions::default()
         };
-        let title = format!("{}: {}", program.name, program.concept);
-        let mut window = minifb::Window::new(&title, width, height, options).map_err(reason)?;
+        let mut window = minifb::Window::new(title, width, height, options).map_err(reason)?;
         // Who has something to do must not wait, and who has nothing sleeps by itself.
         window.set_target_fps(0);
         let (sender, keys) = mpsc::channel();
@@ -144,30 +118,27 @@ impl Window {
         Ok(Self { window, keys, typed, pressed: false, wheel: 0.0, shown, spare, sent, cost })
     }
 
-    /// Shows the picture, and what else `job`'s step can show, until the window is closed.
+    /// Shows `session`, with `samples` × `samples` rays a pixel, until the window is closed.
     ///
     /// # Errors
     ///
     /// When the window system, or standard output, fails.
-    pub(crate) fn run(self, job: Job<'_>) -> Result<()> {
-        file::remove_unfinished_on_signal()?;
-        let Job { program, setup, samples, .. } = job;
+    pub(crate) fn run(self, session: Session, samples: usize) -> Result<()> {
         let size = self.size().context("the window has no size")?;
-        let drawing = Drawing::new(size, samples, setup.view().camera(size.aspect()));
-        Session {
-            program,
+        Shell {
             window: self,
-            setup,
-            drawing,
-            overlay: Overlay::default(),
-            held: Held::Nothing,
+            session,
+            samples,
+            drawings: Vec::new(),
+            saving: None,
+            painted: RgbImage::new(0, 0),
+            size,
+            pointer: (0.0, 0.0),
+            down: false,
             fine: false,
             active: false,
-            saving: false,
-            marked: None,
-            note: None,
-            moved: true,
-            touched: false,
+            redraw: true,
+            repaint: false,
             done: VecDeque::new(),
         }
         .run()
@@ -200,20 +171,22 @@ impl Window {
         }
     }
 
-    /// Puts pixels on the screen, once `draw` has drawn over them, and looks for input.
-    fn send(&mut self, size: Size, pixels: &[u32], draw: impl FnOnce(&mut [u32])) -> Result<()> {
-        let start = Instant::now();
+    /// Puts a picture on the screen, and looks for input.
+    fn send(&mut self, picture: &RgbImage) -> Result<()> {
+        let pixels = picture.pixels().map(|pixel| {
+            let [r, g, b] = pixel.0;
+            u32::from_be_bytes([0, r, g, b])
+        });
         self.spare.clear();
-        self.spare.extend_from_slice(pixels);
-        draw(&mut self.spare);
+        self.spare.extend(pixels);
         self.keep();
+        let (width, height) = (picture.width() as usize, picture.height() as usize);
         self.window
-            .update_with_buffer(&self.spare, size.width(), size.height())
+            .update_with_buffer(&self.spare, width, height)
             .map_err(|error| anyhow!("cannot show the picture: {error}"))?;
         mem::swap(&mut self.shown, &mut self.spare);
         self.collect();
         self.sent = Instant::now();
-        self.cost = start.elapsed();
         Ok(())
     }
 
@@ -234,75 +207,96 @@ fn reason(error: minifb::Error) -> anyhow::Error {
     }
 }
 
-/// What the mouse button took hold of.
-#[derive(Clone, Copy, Default)]
-enum Held {
-    #[default]
-    Nothing,
-    /// The picture, at a place and as it was seen then; a click as long as it does not move.
-    Picture { at: (f32, f32), azimuth: f32, elevation: f32, click: bool },
-    /// The slider of a control.
-    Slider(usize),
-    /// A part of the overlay without effect.
-    Panel,
-}
-
 /// A window and what is seen in it.
-struct Session<'a> {
-    program: &'a Program,
+struct Shell {
     window: Window,
-    setup: Setup,
-    drawing: Drawing,
-    overlay: Overlay,
-    held: Held,
+    session: Session,
+    samples: usize,
+    /// The pictures that the session wants, in its order, each with its program.
+    drawings: Vec<(usize, Drawing)>,
+    /// The picture that is to be saved as soon as it is complete; until then further input waits,
+    /// but for Escape.
+    saving: Option<Drawing>,
+    painted: RgbImage,
+    size: Size,
+    pointer: (f32, f32),
+    /// The mouse button is down, as far as the session knows.
+    down: bool,
     /// Shift is down.
     fine: bool,
     active: bool,
-    /// The picture is to be saved as soon as it is complete; until then further input waits, but
-    /// for Escape.
-    saving: bool,
-    /// The pixel that was explained last, as a part of the width and of the height.
-    marked: Option<(f32, f32)>,
-    /// What was done last, if it cannot be seen.
-    note: Option<String>,
-    /// The picture is not that of the controls any more.
-    moved: bool,
+    /// The drawings are not what the session wants.
+    redraw: bool,
     /// What is on the screen is not all that there is to be shown.
-    touched: bool,
+    repaint: bool,
     /// When the pictures of the last second were done.
     done: VecDeque<Instant>,
 }
 
-impl Session<'_> {
+impl Shell {
     fn run(mut self) -> Result<()> {
         loop {
             self.look()?;
             if !self.window.window.is_open() || self.input()?.is_break() {
                 return Ok(());
             }
-            let Some(size) = self.window.size() else {
-                continue;
+            if let Some(size) = self.window.size().filter(|size| *size != self.size) {
+                self.size = size;
+                if self.tell(Event::Resize(size))?.is_break() {
+                    return Ok(());
+                }
+            }
+            if mem::take(&mut self.redraw) {
+                self.restart();
+            }
+            if self.saving.is_some() {
+                self.save()?;
+            } else {
+                self.work();
+            }
+        }
+    }
+
+    fn is_complete(&self) -> bool {
+        self.saving.is_none() && self.drawings.iter().all(|(_, drawing)| drawing.is_complete())
+    }
+
+    /// Starts the pictures that the session wants.
+    fn restart(&mut self) {
+        let wanted = self.session.pictures();
+        let draft = PERIOD.saturating_sub(self.window.cost).max(PERIOD / 4) / wanted.len() as u32;
+        let mut drawings = mem::take(&mut self.drawings);
+        for Wanted { camera, size, program, .. } in wanted {
+            let place = drawings.iter().position(|(other, _)| *other == program);
+            let drawing = match place {
+                Some(place) => {
+                    let mut drawing = drawings.swap_remove(place).1;
+                    drawing.restart(size, camera, draft);
+                    drawing
+                }
+                None => Drawing::new(size, self.samples, camera, draft),
             };
-            if mem::take(&mut self.moved) || size != self.drawing.size() {
-                let draft = PERIOD.saturating_sub(self.window.cost).max(PERIOD / 4);
-                self.drawing.restart(size, self.setup.view().camera(size.aspect()), draft);
-            }
-            if self.drawing.work(self.setup.step()) {
+            self.drawings.push((program, drawing));
+        }
+    }
+
+    fn work(&mut self) {
+        let wanted = self.session.pictures();
+        for (wanted, (_, drawing)) in wanted.iter().zip(&mut self.drawings) {
+            if drawing.work(wanted.setup.step()) {
                 self.done.push_back(Instant::now());
-                self.touched = true;
-            }
-            if self.saving && self.drawing.is_complete() {
-                self.save();
+                self.repaint = true;
             }
         }
     }
 
     /// Looks for input, and brings the screen up to date where it is not.
     fn look(&mut self) -> Result<()> {
-        let complete = self.drawing.is_complete();
+        let complete = self.is_complete();
         let refined = !complete && self.window.sent.elapsed() > REFRESH;
-        if !self.drawing.is_drafting() && (self.touched || refined || self.window.is_stale()) {
-            self.touched = false;
+        let drafting = self.drawings.iter().any(|(_, drawing)| drawing.is_drafting());
+        if !drafting && (self.repaint || refined || self.window.is_stale()) {
+            self.repaint = false;
             return self.send();
         }
         if complete || self.window.size().is_none() {
@@ -313,32 +307,28 @@ impl Session<'_> {
     }
 
     fn send(&mut self) -> Result<()> {
+        let start = Instant::now();
         let status = self.status();
-        let size = self.drawing.size();
-        let hint = if self.saving { SAVING } else { self.note.as_deref().unwrap_or(HINT) };
-        let controls = self.setup.list();
-        let Self { program, overlay, marked, .. } = self;
-        let caption = Caption {
-            name: program.name,
-            concept: program.concept,
-            status: &status,
-            hint,
-            keys: KEYS,
-        };
-        self.window.send(size, self.drawing.pixels(), |pixels| {
-            if let Some((u, v)) = *marked {
-                let place = |part: f32, pixels: usize| (part * pixels as f32) as usize;
-                mark(pixels, size, place(u, size.width()), place(v, size.height()));
-            }
-            overlay.draw(pixels, size, &controls, &caption);
-        })
+        let (width, height) = (self.size.width() as u32, self.size.height() as u32);
+        if self.painted.dimensions() != (width, height) {
+            self.painted = RgbImage::new(width, height);
+        }
+        let pictures: Vec<&RgbImage> =
+            self.drawings.iter().map(|(_, drawing)| drawing.picture()).collect();
+        self.session.paint(&mut self.painted, &pictures, &status);
+        self.window.send(&self.painted)?;
+        self.window.cost = start.elapsed();
+        Ok(())
     }
 
     /// How long the last pass took, how fine it was, and how many there were in a second.
     fn status(&mut self) -> String {
         let second = Duration::from_secs(1);
         self.done.retain(|done| done.elapsed() < second);
-        let finished = self.drawing.finished();
+        let Some((_, drawing)) = self.drawings.last() else {
+            return String::new();
+        };
+        let finished = drawing.finished();
         let mut status = format!("{:.1} ms", finished.time.as_secs_f64() * 1e3);
         if finished.grid > 1 {
             status.push_str(&format!(", 1/{} size", finished.grid));
@@ -355,167 +345,149 @@ impl Session<'_> {
 
     /// Takes all keys and the mouse into account; a break when the program shall end.
     fn input(&mut self) -> Result<ControlFlow<()>> {
+        if self.saving.is_some() {
+            let quit = self.window.typed.contains(&(minifb::Key::Escape, true));
+            return Ok(if quit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) });
+        }
+        let mut events = Vec::new();
         let active = self.window.window.is_active();
         if mem::replace(&mut self.active, active) && !active {
             // Who leaves by Alt+Shift+Tab lets go of Shift elsewhere.
             self.fine = false;
+            events.push(Event::FocusLost);
         }
-        if self.saving {
-            let quit = self.window.typed.contains(&(Key::Escape, true));
-            return Ok(if quit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) });
+        self.mouse(&mut events);
+        for event in events {
+            if self.tell(event)?.is_break() {
+                return Ok(ControlFlow::Break(()));
+            }
         }
-        self.mouse()?;
-        while !self.saving {
-            match self.window.typed.pop_front() {
-                Some((Key::Escape, true)) => return Ok(ControlFlow::Break(())),
-                Some((Key::LeftShift | Key::RightShift, down)) => self.fine = down,
-                Some((key, true)) => self.key(key),
-                Some((_, false)) => {}
-                None => break,
+        while self.saving.is_none() {
+            let Some((key, down)) = self.window.typed.pop_front() else {
+                break;
+            };
+            let event = match (key, down) {
+                (minifb::Key::LeftShift | minifb::Key::RightShift, down) => {
+                    self.fine = down;
+                    continue;
+                }
+                (key, true) => session_key(key).map(|key| Event::Key(key, self.fine)),
+                (key, false) => session_key(key).map(Event::KeyUp),
+            };
+            if let Some(event) = event
+                && self.tell(event)?.is_break()
+            {
+                return Ok(ControlFlow::Break(()));
             }
         }
         Ok(ControlFlow::Continue(()))
     }
 
-    fn key(&mut self, key: Key) {
-        let nudge = if self.fine { 0.1 } else { 1.0 };
-        match key {
-            Key::Up => self.select(-1),
-            Key::Down => self.select(1),
-            Key::Left => {
-                self.change(self.overlay.selected, |setup, name| setup.nudge(name, -nudge))
+    fn mouse(&mut self, events: &mut Vec<Event>) {
+        if let Some((x, y)) = self.window.window.get_mouse_pos(MouseMode::Pass) {
+            let (down, was_down) = (self.window.pressed, self.down);
+            self.down = down;
+            match (was_down, down) {
+                (false, true) => events.push(Event::Press(x, y)),
+                (true, false) => events.push(Event::Release(x, y)),
+                _ if (x, y) != self.pointer => events.push(Event::Move(x, y)),
+                _ => {}
             }
-            Key::Right => {
-                self.change(self.overlay.selected, |setup, name| setup.nudge(name, nudge))
-            }
-            Key::Home => {
-                self.setup.reset_all();
-                self.marked = None;
-                self.moved = true;
-            }
-            Key::Space => self.overlay.hidden = !self.overlay.hidden,
-            Key::F1 => {
-                self.overlay.help = self.overlay.hidden || !self.overlay.help;
-                self.overlay.hidden = false;
-            }
-            Key::F2 => self.saving = true,
-            _ => return,
+            self.pointer = (x, y);
         }
-        self.note = None;
-        self.touched = true;
-    }
-
-    fn select(&mut self, by: isize) {
-        let count = self.setup.list().len();
-        self.overlay.select(by, count);
-    }
-
-    fn change(&mut self, index: usize, change: impl FnOnce(&mut Setup, &str)) {
-        if let Some(setting) = self.setup.list().get(index) {
-            change(&mut self.setup, &setting.name);
-            self.moved = true;
-        }
-    }
-
-    fn mouse(&mut self) -> Result<()> {
         let notches = mem::take(&mut self.window.wheel);
         if notches != 0.0 {
-            self.setup.zoom(ZOOM.powf(notches));
-            self.moved = true;
+            events.push(Event::Wheel(notches));
         }
-        let down = self.window.pressed;
-        let Some(at) = self.window.window.get_mouse_pos(MouseMode::Pass) else {
+    }
+
+    /// Tells the session of an event, and does what it asks for.
+    fn tell(&mut self, event: Event) -> Result<ControlFlow<()>> {
+        for effect in self.session.handle(event) {
+            match effect {
+                Effect::Redraw => {
+                    self.redraw = true;
+                    self.repaint = true;
+                }
+                Effect::Repaint => self.repaint = true,
+                Effect::Print(text) => print(&text)?,
+                Effect::Save => {
+                    let size = self.session.picture_size();
+                    let camera = self.session.setup().view().camera(size.aspect());
+                    let drawing = Drawing::new(size, self.samples, camera, Duration::MAX);
+                    self.saving = Some(drawing);
+                    self.session.handle(Event::Say(SAVING.to_owned()));
+                    self.repaint = true;
+                }
+                Effect::Quit => return Ok(ControlFlow::Break(())),
+            }
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+
+    /// Goes on with the picture that is to be saved, and saves it if it is complete.
+    fn save(&mut self) -> Result<()> {
+        let Some(drawing) = &mut self.saving else {
             return Ok(());
         };
-        match self.held {
-            Held::Nothing if down => self.press(at),
-            Held::Nothing => {}
-            _ => self.drag(at),
+        drawing.work(self.session.setup().step());
+        if !drawing.is_complete() {
+            return Ok(());
         }
-        if !down && let Held::Picture { at, click: true, .. } = mem::take(&mut self.held) {
-            self.explain(at)?;
-        }
-        Ok(())
-    }
-
-    fn press(&mut self, at: (f32, f32)) {
-        let (size, count) = (self.drawing.size(), self.setup.list().len());
-        let View { azimuth, elevation, .. } = *self.setup.view();
-        self.held = match self.overlay.target(size, count, at.0, at.1) {
-            Target::Picture => {
-                let Pixel { col, row, .. } = self.pixel(at);
-                self.note = Some(format!("pixel ({col}, {row})"));
-                self.touched = true;
-                Held::Picture { at, azimuth, elevation, click: true }
-            }
-            Target::Panel => Held::Panel,
-            Target::Control(index, on_slider) => {
-                self.overlay.selected = index;
-                self.touched = true;
-                match on_slider {
-                    Some(fraction) => {
-                        self.change(index, |setup, name| setup.set_fraction(name, fraction));
-                        Held::Slider(index)
-                    }
-                    None => Held::Panel,
-                }
-            }
-        };
-    }
-
-    fn drag(&mut self, (x, y): (f32, f32)) {
-        let size = self.drawing.size();
-        match &mut self.held {
-            Held::Nothing | Held::Panel => {}
-            Held::Slider(index) => {
-                let (index, fraction) = (*index, self.overlay.fraction(size, x));
-                self.change(index, |setup, name| setup.set_fraction(name, fraction));
-            }
-            Held::Picture { at, azimuth, elevation, click } => {
-                let (right, down) = (x - at.0, y - at.1);
-                if *click && right.hypot(down) <= CLICK {
-                    return;
-                }
-                *click = false;
-                self.note = None;
-                // From where the drag began, so that it does not matter in how many moves.
-                let view = self.setup.view();
-                let (turned, lifted) = (*azimuth - view.azimuth, *elevation - view.elevation);
-                let angle = 180.0 / size.height() as f32;
-                self.setup.orbit(turned - right * angle, lifted + down * angle);
-                self.moved = true;
-            }
-        }
-    }
-
-    fn pixel(&self, (x, y): (f32, f32)) -> Pixel {
-        let (width, height) = (self.drawing.size().width(), self.drawing.size().height());
-        let col = (x.max(0.0) as usize).min(width - 1);
-        let row = (y.max(0.0) as usize).min(height - 1);
-        Pixel { col, row, width, height }
-    }
-
-    /// Prints how the pixel at a place came by its colour, and marks it.
-    fn explain(&mut self, at: (f32, f32)) -> Result<()> {
-        let pixel = self.pixel(at);
-        let camera = self.setup.view().camera(self.drawing.size().aspect());
-        print(&self.setup.step().explain(&*camera, pixel).to_string())?;
-        let Pixel { col, row, width, height } = pixel;
-        self.marked = Some(((col as f32 + 0.5) / width as f32, (row as f32 + 0.5) / height as f32));
-        self.note = Some(format!("pixel ({col}, {row}): see the terminal"));
-        self.touched = true;
-        Ok(())
-    }
-
-    fn save(&mut self) {
-        self.saving = false;
-        let size = self.drawing.size();
-        let done = match file::save_new_png(&self.drawing.picture(), self.program.name) {
+        let name = self.session.program().name;
+        let size = drawing.size();
+        let done = match file::save_new_png(drawing.picture(), name) {
             Ok(path) => format!("{size} written to {}", path.display()),
             Err(error) => format!("{error:#}"),
         };
-        report(self.program, &done);
-        self.note = Some(done);
-        self.touched = true;
+        self.saving = None;
+        report(name, &done);
+        self.tell(Event::Say(done)).map(|_| ())
     }
+}
+
+/// The session's name for a key.
+fn session_key(key: minifb::Key) -> Option<Key> {
+    use minifb::Key as K;
+
+    const LETTERS: [(K, char); 15] = [
+        (K::C, 'C'),
+        (K::D, 'D'),
+        (K::O, 'O'),
+        (K::P, 'P'),
+        (K::V, 'V'),
+        (K::X, 'X'),
+        (K::Key1, '1'),
+        (K::Key2, '2'),
+        (K::Key3, '3'),
+        (K::Key4, '4'),
+        (K::Key5, '5'),
+        (K::Key6, '6'),
+        (K::Key7, '7'),
+        (K::Minus, '-'),
+        (K::Equal, '+'),
+    ];
+    Some(match key {
+        K::Up => Key::Up,
+        K::Down => Key::Down,
+        K::Left => Key::Left,
+        K::Right => Key::Right,
+        K::Home => Key::Home,
+        K::Backspace => Key::Backspace,
+        K::Delete => Key::Delete,
+        K::Space => Key::Space,
+        K::Enter | K::NumPadEnter => Key::Enter,
+        K::Escape => Key::Escape,
+        K::Tab => Key::Tab,
+        K::PageUp => Key::PageUp,
+        K::PageDown => Key::PageDown,
+        K::F1 => Key::F(1),
+        K::F2 => Key::F(2),
+        K::F3 => Key::F(3),
+        K::F4 => Key::F(4),
+        K::F11 => Key::F(11),
+        K::NumPadPlus => Key::Char('+'),
+        K::NumPadMinus => Key::Char('-'),
+        _ => Key::Char(LETTERS.iter().find(|(letter, _)| *letter == key)?.1),
+    })
 }

@@ -1,21 +1,33 @@
 //! A figure: the same lesson several times side by side, each with one thing changed.
 
-mod canvas;
-mod plot;
+mod sketch;
 
+use std::ops::RangeInclusive;
+
+use crate::Anchor;
+use crate::Area;
 use crate::Camera;
+use crate::Canvas;
 use crate::Color;
-use crate::Control;
+use crate::Controls;
 use crate::Explanation;
+use crate::Font;
 use crate::Image;
+use crate::Ink;
 use crate::Pixel;
 use crate::Ray;
+use crate::Sight;
 use crate::Size;
 use crate::Step;
+use crate::Value;
+use crate::Vec3;
 use crate::View;
-use crate::explanation::Entry;
 
-pub use canvas::Canvas;
+pub use sketch::Axes;
+pub use sketch::Sketch;
+
+/// What is behind and between the panels.
+const GROUND: Color = Color::new(0.012, 0.014, 0.02);
 
 /// Panels in a grid, each with a label. It is a [`Step`] itself, so that it has a window, a
 /// command line and controls as any step has; the control `panel` shows one of them alone.
@@ -23,27 +35,30 @@ pub struct Figure<L> {
     lesson: L,
     view: View,
     controls: &'static [&'static str],
+    slider: Option<Slider<L>>,
     columns: usize,
     aspect: f32,
     panels: Vec<Panel<L>>,
     shown: usize,
 }
 
-type Change<L> = dyn Fn(&mut L) + Sync;
-type Draw<L> = dyn Fn(&L, &mut Canvas<'_>) + Sync;
-
-struct Panel<L> {
-    label: String,
-    change: Box<Change<L>>,
-    draw: Box<Draw<L>>,
+struct Slider<L> {
+    name: &'static str,
+    range: RangeInclusive<f32>,
+    value: f32,
+    change: fn(&mut L, f32, &dyn Camera),
 }
 
-/// Where a panel's picture lies in the figure, in pixels.
-struct Place {
-    left: usize,
-    top: usize,
-    width: usize,
-    height: usize,
+type Label<L> = dyn Fn(&L) -> String + Sync;
+type Change<L> = dyn Fn(&mut L) + Sync;
+type Render<L> = dyn Fn(&L, &dyn Camera, &mut Image<'_>) + Sync;
+type Draw<L> = dyn Fn(&L, &mut Sketch<'_>) + Sync;
+
+struct Panel<L> {
+    label: Box<Label<L>>,
+    change: Box<Change<L>>,
+    render: Box<Render<L>>,
+    draw: Box<Draw<L>>,
 }
 
 /// The part of a camera's plane that a panel shows: all of the figure's height, and of its width
@@ -59,16 +74,41 @@ impl Camera for PanelCamera<'_> {
         let (u, v) = (self.horizontal * (u - 0.5), self.vertical * (v - 0.5));
         self.camera.generate_ray(0.5 + u, 0.5 + v)
     }
+
+    fn project(&self, point: Vec3) -> Option<(f32, f32)> {
+        let (u, v) = self.camera.project(point)?;
+        Some((0.5 + (u - 0.5) / self.horizontal, 0.5 + (v - 0.5) / self.vertical))
+    }
+}
+
+/// The numbers that `compute` tells under these symbols; `None` unless it tells all of them.
+pub fn told<const N: usize, T>(
+    symbols: [&str; N], compute: impl FnOnce(&mut Explanation) -> T,
+) -> Option<[f32; N]> {
+    let mut said = Explanation::new(Pixel { col: 0, row: 0, width: 1, height: 1 });
+    compute(&mut said);
+    let mut numbers = [0.0; N];
+    for (number, symbol) in numbers.iter_mut().zip(symbols) {
+        let Some(Value::Number(value)) = said.value(symbol) else { return None };
+        *number = value;
+    }
+    Some(numbers)
 }
 
 impl<L: Step + Clone> Figure<L> {
     /// A figure of `lesson` with `columns` panels in a row, each of the shape of the lecture's
     /// pictures.
     pub fn new(lesson: L, columns: usize) -> Self {
-        let view = lesson.view();
-        let aspect = Size::DEFAULT.aspect();
-        let panels = Vec::new();
-        Self { lesson, view, controls: &[], columns, aspect, panels, shown: 0 }
+        Self {
+            view: lesson.view(),
+            lesson,
+            controls: &[],
+            slider: None,
+            columns,
+            aspect: Size::DEFAULT.aspect(),
+            panels: Vec::new(),
+            shown: 0,
+        }
     }
 
     /// Seen from there, instead of from where the lesson is.
@@ -86,88 +126,112 @@ impl<L: Step + Clone> Figure<L> {
         Self { controls, ..self }
     }
 
-    /// Adds a panel that shows the lesson after `change`.
-    pub fn vary(self, label: impl Into<String>, change: impl Fn(&mut L) + Sync + 'static) -> Self {
-        self.panel(label, change, |lesson, canvas| canvas.show(lesson))
-    }
-
-    /// Adds a panel that `draw` fills.
-    pub fn draw(
-        self, label: impl Into<String>, draw: impl Fn(&L, &mut Canvas<'_>) + Sync + 'static,
+    /// A control of the figure's own, which starts at `value`. What it changes in the lesson, which
+    /// may depend on the camera, comes before the changes of the panels.
+    pub fn slider(
+        self, name: &'static str, range: RangeInclusive<f32>, value: f32,
+        change: fn(&mut L, f32, &dyn Camera),
     ) -> Self {
-        self.panel(label, |_| (), draw)
+        Self { slider: Some(Slider { name, range, value, change }), ..self }
     }
 
-    /// Adds a panel that `draw` fills with the lesson after `change`.
+    /// Adds a panel that shows the lesson after `change`.
     pub fn panel(
         mut self, label: impl Into<String>, change: impl Fn(&mut L) + Sync + 'static,
-        draw: impl Fn(&L, &mut Canvas<'_>) + Sync + 'static,
     ) -> Self {
-        let (label, change, draw) = (label.into(), Box::new(change), Box::new(draw));
-        self.panels.push(Panel { label, change, draw });
+        let label = label.into();
+        self.panels.push(Panel {
+            label: Box::new(move |_| label.clone()),
+            change: Box::new(change),
+            render: Box::new(|lesson, camera, image| lesson.render(camera, image)),
+            draw: Box::new(|_, _| ()),
+        });
         self
     }
 
-    /// The size at which all panels have the figure's shape.
+    /// What the panel added last has for a label, which may depend on the lesson.
+    pub fn label(self, label: impl Fn(&L) -> String + Sync + 'static) -> Self {
+        self.last(|panel| panel.label = Box::new(label))
+    }
+
+    /// What the panel added last shows instead of the lesson.
+    pub fn render(self, render: impl Fn(&L, &dyn Camera, &mut Image<'_>) + Sync + 'static) -> Self {
+        self.last(|panel| panel.render = Box::new(render))
+    }
+
+    /// What is drawn over the panel added last.
+    pub fn draw(self, draw: impl Fn(&L, &mut Sketch<'_>) + Sync + 'static) -> Self {
+        self.last(|panel| panel.draw = Box::new(draw))
+    }
+
+    fn last(mut self, change: impl FnOnce(&mut Panel<L>)) -> Self {
+        if let Some(panel) = self.panels.last_mut() {
+            change(panel);
+        }
+        self
+    }
+
+    /// The size at which all panels have the figure's shape, and their edges are those of pixels.
     pub fn size(&self) -> Size {
         let width = Size::DEFAULT.width();
-        let Place { left, top, .. } = self.place(0, width, width);
-        let (gap, label) = (2 * left, top - left);
-        let panel = (width / self.columns - gap) as f32 / self.aspect;
-        let height = self.rows() * (panel as usize + gap + label);
-        Size::new(width, height).unwrap_or(Size::DEFAULT)
+        let panel = self.place(0, width as f32, width as f32);
+        let cell = width as f32 / self.rows() as f32 - panel.height + panel.width / self.aspect;
+        Size::new(width, self.rows() * cell.round() as usize).unwrap_or(Size::DEFAULT)
     }
 
     fn rows(&self) -> usize {
         self.panels.len().div_ceil(self.columns)
     }
 
-    /// How many pixels of a picture that is `width` wide are a pixel of the labels' font.
-    fn magnification(&self, width: usize) -> f32 {
-        let longest = self.panels.iter().map(|panel| panel.label.chars().count()).max();
-        let letters = self.columns * (longest.unwrap_or(0) + 1);
-        let fits = width as f32 / (canvas::GLYPH.0 * letters) as f32;
-        canvas::magnification(fits.min(width as f32 / 480.0))
+    /// How large letters are in a figure that is `width` wide.
+    fn text_size(&self, width: f32) -> f32 {
+        width / 960.0 * if self.columns > 3 { 18.0 } else { 22.0 }
     }
 
-    fn place(&self, index: usize, width: usize, height: usize) -> Place {
+    /// Where a panel's picture lies in the figure.
+    fn place(&self, index: usize, width: f32, height: f32) -> Area {
         if self.shown > 0 {
-            return Place { left: 0, top: 0, width, height };
+            return Area::new(0.0, 0.0, width, height);
         }
-        let margin = width / 480;
-        let label = canvas::text_size(self.magnification(width), "").1 + 2 * margin;
-        let (cell_width, cell_height) = (width / self.columns, height / self.rows());
-        Place {
-            left: index % self.columns * cell_width + margin,
-            top: index / self.columns * cell_height + margin + label,
-            width: cell_width.saturating_sub(2 * margin),
-            height: cell_height.saturating_sub(2 * margin + label),
-        }
+        let (margin, label) = (width / 240.0, 1.5 * self.text_size(width));
+        let (cell_width, cell_height) = (width / self.columns as f32, height / self.rows() as f32);
+        Area::new(
+            (index % self.columns) as f32 * cell_width + margin,
+            (index / self.columns) as f32 * cell_height + label,
+            cell_width - 2.0 * margin,
+            cell_height - label - margin,
+        )
     }
 
-    /// The panels that can be seen, and where.
-    fn places(&self, width: usize, height: usize) -> impl Iterator<Item = (&Panel<L>, Place)> {
+    /// The panels that can be seen: each with where it lies, its camera, and what it shows.
+    fn panels<'a>(
+        &'a self, camera: &'a dyn Camera, width: usize, height: usize,
+    ) -> impl Iterator<Item = (&'a Panel<L>, Area, PanelCamera<'a>, L)> {
+        let (width, height) = (width as f32, height as f32);
         let panels = self.panels.iter().enumerate();
-        panels
-            .filter(|(index, _)| [0, index + 1].contains(&self.shown))
-            .map(move |(index, panel)| (panel, self.place(index, width, height)))
-            .filter(|(_, place)| place.width > 0 && place.height > 0)
+        let seen = panels.filter(|(index, _)| [0, index + 1].contains(&self.shown));
+        let placed = seen.map(move |(index, panel)| (panel, self.place(index, width, height)));
+        placed.filter(|(_, area)| area.width >= 1.0 && area.height >= 1.0).map(
+            move |(panel, area)| {
+                let aspect = area.width / area.height;
+                let vertical = if self.shown > 0 { 1.0 } else { (self.aspect / aspect).max(1.0) };
+                let horizontal = vertical * aspect * height / width;
+                let mut lesson = self.lesson.clone();
+                if let Some(Slider { value, change, .. }) = &self.slider {
+                    change(&mut lesson, *value, camera);
+                }
+                (panel.change)(&mut lesson);
+                (panel, area, PanelCamera { camera, horizontal, vertical }, lesson)
+            },
+        )
     }
+}
 
-    fn camera<'a>(
-        &self, camera: &'a dyn Camera, (width, height): (usize, usize), place: &Place,
-    ) -> PanelCamera<'a> {
-        let aspect = place.width as f32 / place.height as f32;
-        let vertical = if self.shown > 0 { 1.0 } else { (self.aspect / aspect).max(1.0) };
-        let horizontal = vertical * aspect * height as f32 / width as f32;
-        PanelCamera { camera, horizontal, vertical }
-    }
-
-    fn changed(&self, panel: &Panel<L>) -> L {
-        let mut lesson = self.lesson.clone();
-        (panel.change)(&mut lesson);
-        lesson
-    }
+/// The columns and rows of a picture that `area` is of: first and number.
+fn pixels(area: Area) -> [usize; 4] {
+    let edges = [area.left, area.top, area.right(), area.bottom()];
+    let [left, top, right, bottom] = edges.map(|edge| edge.round() as usize);
+    [left, top, right - left, bottom - top]
 }
 
 impl<L: Step + Clone> Step for Figure<L> {
@@ -175,60 +239,67 @@ impl<L: Step + Clone> Step for Figure<L> {
         self.view.clone()
     }
 
-    fn controls(&mut self) -> Vec<Control<'_>> {
-        let mut controls = vec![Control::count("panel", 0..=self.panels.len(), &mut self.shown)];
-        let known = self.lesson.controls().into_iter();
-        controls.extend(known.filter(|control| self.controls.contains(&control.name.as_str())));
+    fn controls(&mut self) -> Controls<'_> {
+        let mut controls = Controls::new();
+        controls.count("panel", 0..=self.panels.len(), &mut self.shown);
+        if let Some(slider) = &mut self.slider {
+            controls.number(slider.name, slider.range.clone(), &mut slider.value);
+        }
+        let mut known = self.lesson.controls();
+        known.retain(|control| self.controls.contains(&control.name.as_str()));
+        controls.extend(known);
         controls
     }
 
     fn render(&self, camera: &dyn Camera, image: &mut Image<'_>) {
-        let size = (image.width(), image.height());
-        let magnification = self.magnification(size.0);
-        let mut whole = Canvas::new(camera, size, image.rows(), magnification);
-        for (panel, place) in self.places(size.0, size.1) {
-            if self.shown == 0 {
-                let center = place.left + place.width / 2;
-                let bottom = place.top - size.0 / 480;
-                whole.write(center as f32, bottom as f32, (0.5, 1.0), Color::ONE, &panel.label);
+        let (width, height) = (image.width(), image.height());
+        for row in image.rows() {
+            for col in 0..width {
+                image.set(col, row, GROUND);
             }
-            let rows = image.rows();
-            let below = place.top + place.height;
-            let rows = rows.start.clamp(place.top, below)..rows.end.clamp(place.top, below);
-            if rows.is_empty() {
-                continue;
-            }
-            let camera = self.camera(camera, size, &place);
-            let rows = rows.start - place.top..rows.end - place.top;
-            let mut canvas = Canvas::new(&camera, (place.width, place.height), rows, magnification);
-            (panel.draw)(&self.changed(panel), &mut canvas);
-            whole.paste(&canvas, place.left, place.top);
         }
-        whole.copy_to(image);
-    }
-
-    /// What the lesson says of the pixel that is there in the panel.
-    fn explain(&self, camera: &dyn Camera, pixel: Pixel) -> Explanation {
-        let Pixel { col, row, width, height } = pixel;
-        let mut pixels = vec![Color::ZERO; width];
-        self.render(camera, &mut Image::new(width, height, row, &mut pixels));
-        let mut explanation = Explanation::new(pixel, pixels[col]);
-        for (panel, place) in self.places(width, height) {
-            let (col, row) = (col.wrapping_sub(place.left), row.wrapping_sub(place.top));
-            if col < place.width && row < place.height {
-                explanation.heading(&panel.label);
-                let camera = self.camera(camera, (width, height), &place);
-                let pixel = Pixel { col, row, width: place.width, height: place.height };
-                for entry in self.changed(panel).explain(&camera, pixel).entries() {
-                    match entry {
-                        Entry::Heading(text) => explanation.heading(text),
-                        Entry::Equation(equation, value) => {
-                            explanation.line(equation, value.clone());
-                        }
-                    }
+        for (panel, area, camera, lesson) in self.panels(camera, width, height) {
+            let [left, top, width, height] = pixels(area);
+            let inside = |row: usize| row.clamp(top, top + height) - top;
+            let rows = inside(image.rows().start)..inside(image.rows().end);
+            let mut colors = vec![GROUND; width * rows.len()];
+            let mut part = Image::new(width, height, rows.start, &mut colors);
+            (panel.render)(&lesson, &camera, &mut part);
+            for (row, colors) in rows.zip(colors.chunks_exact(width)) {
+                for (col, color) in colors.iter().enumerate() {
+                    image.set(left + col, top + row, *color);
                 }
             }
         }
-        explanation
+    }
+
+    fn draw_over(&self, camera: &dyn Camera, canvas: &mut Canvas<'_>) {
+        let Area { width, height, .. } = canvas.area();
+        let size = self.text_size(width);
+        for (panel, area, camera, lesson) in self.panels(camera, width as usize, height as usize) {
+            let sight = Sight { step: &lesson, camera: &camera, area };
+            (panel.draw)(&lesson, &mut Sketch::new(canvas.clipped(area), sight, size));
+            if self.shown == 0 {
+                let at = (area.left + area.width / 2.0, area.top - 0.75 * size);
+                let label = (panel.label)(&lesson);
+                let size = size * (area.width / Font::width(size, &label).max(1.0)).min(1.0);
+                canvas.text(at, Anchor::Center, size, Ink::WHITE, &label);
+            }
+        }
+    }
+
+    /// What the lesson tells of the pixel that is there in the panel.
+    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &mut Explanation) -> Color {
+        let Pixel { col, row, width, height } = pixel;
+        for (_, area, camera, lesson) in self.panels(camera, width, height) {
+            let [left, top, width, height] = pixels(area);
+            let (col, row) = (col.wrapping_sub(left), row.wrapping_sub(top));
+            if col < width && row < height {
+                lesson.tell(&camera, Pixel { col, row, width, height }, say);
+            }
+        }
+        let mut colors = vec![Color::ZERO; width];
+        self.render(camera, &mut Image::new(width, height, row, &mut colors));
+        colors[col]
     }
 }

@@ -1,0 +1,323 @@
+use image::Rgb;
+use image::RgbImage;
+
+use super::Compare;
+use super::Program;
+use super::Reading;
+use super::Session;
+use super::event::KEYS;
+use super::event::LECTURE_KEYS;
+use super::layout::Layout;
+use super::panel::ACCENT;
+use super::panel::BACKGROUND;
+use super::panel::FAINT;
+use super::panel::Fold;
+use super::panel::Panel;
+use super::panel::Row;
+use super::panel::TEXT;
+use super::panel::draw_text;
+use crate::Anchor;
+use crate::Area;
+use crate::Canvas;
+use crate::Explanation;
+use crate::Font;
+use crate::Ink;
+use crate::Outcome;
+use crate::Outside;
+use crate::Setting;
+use crate::Sight;
+use crate::Value;
+use crate::draw_vectors;
+use crate::encode;
+
+const HINT: &str = "click a pixel to see its equations · F1 all keys · Space the picture alone";
+const CAMERA: &str = "camera";
+
+/// What is off by one code is shown as so many.
+const MAGNIFIED: u8 = 8;
+
+/// Added and removed lines of a diff.
+const ADDED: Ink = Ink::new(150, 225, 150);
+const REMOVED: Ink = Ink::new(255, 160, 150);
+
+impl Session {
+    /// Paints a window: the [`pictures`](Self::pictures), which may still be of another size, with
+    /// all that there is to be seen beside and over them. `status` is a word on how the pictures
+    /// were made.
+    pub fn paint(&mut self, window: &mut RgbImage, pictures: &[&RgbImage], status: &str) {
+        window.pixels_mut().for_each(|pixel| *pixel = Rgb(BACKGROUND.rgb));
+        let layout = self.layout();
+        let mut canvas = Canvas::new(window);
+        let differing = self.paint_pictures(&mut canvas, &layout, pictures);
+        self.paint_vectors(&mut canvas, &layout);
+        let said = match (&self.note, differing) {
+            (Some(note), _) => Some(note.clone()),
+            (None, Some((pixels, of))) => Some(format!("{pixels} of {of} pixels differ")),
+            (None, None) => None,
+        };
+        match layout.beside {
+            Some(beside) => {
+                if let Some(panel) = self.reading_panel() {
+                    panel.draw(&mut canvas, None);
+                }
+                if let Some(panel) = self.controls() {
+                    panel.draw(&mut canvas, self.selected.as_ref());
+                }
+                self.paint_caption(&mut canvas, &layout, beside.caption, said.as_deref(), status);
+            }
+            None => {
+                if let Some(said) = said {
+                    paint_alone(&mut canvas, &layout, &said);
+                }
+            }
+        }
+    }
+
+    /// How many pixels differ, and of how many, where that is shown.
+    fn paint_pictures(
+        &self, canvas: &mut Canvas<'_>, layout: &Layout, pictures: &[&RgbImage],
+    ) -> Option<(usize, usize)> {
+        let area = layout.picture;
+        let [before, this] = pictures else {
+            pictures.iter().for_each(|picture| canvas.picture(picture, area));
+            return None;
+        };
+        match self.compare {
+            Compare::Divided(part) => {
+                canvas.picture(this, area);
+                let left = Area { width: (part * area.width).round(), ..area };
+                canvas.clipped(left).picture(before, area);
+                let width = (0.12 * layout.em).max(1.0);
+                let line = Area::new(left.right() - width / 2.0, area.top, width, area.height);
+                canvas.clipped(area).fill(line.inset(-width), Ink::BLACK);
+                canvas.clipped(area).fill(line, ACCENT);
+                None
+            }
+            Compare::Difference if before.dimensions() == this.dimensions() => {
+                let mut difference = (*this).clone();
+                let mut pixels = 0;
+                for (pixel, before) in difference.pixels_mut().zip(before.pixels()) {
+                    pixels += usize::from(pixel != before);
+                    for (channel, before) in pixel.0.iter_mut().zip(before.0) {
+                        *channel = channel.abs_diff(before).saturating_mul(MAGNIFIED);
+                    }
+                }
+                canvas.picture(&difference, area);
+                Some((pixels, difference.pixels().len()))
+            }
+            Compare::Difference | Compare::Off => {
+                canvas.picture(this, area);
+                None
+            }
+        }
+    }
+
+    /// What is told of the pinned pixel with a place in the world; outside, the camera too.
+    fn paint_vectors(&mut self, canvas: &mut Canvas<'_>, layout: &Layout) {
+        let points = self.points();
+        let explanation = self.explanation().filter(|_| self.vectors);
+        let (area, text_size) = (layout.picture, layout.em.clamp(11.0, 40.0));
+        let (step, view) = (self.setup.step(), self.setup.view());
+        let mut canvas = canvas.clipped(area);
+        if let Some(onlooker) = &self.onlooker {
+            let onlooker = onlooker.camera(area.width / area.height);
+            let outside = Outside { step, view, onlooker: &*onlooker, area };
+            return outside.draw(&mut canvas, explanation.as_ref(), &points, text_size);
+        }
+        if explanation.is_some() {
+            let camera = view.camera(self.picture.aspect());
+            let sight = Sight { step, camera: &*camera, area };
+            draw_vectors(&mut canvas, sight, explanation.as_ref(), &points, text_size);
+        }
+        if let Some((u, v)) = self.pinned {
+            let at = (area.left + u * area.width, area.top + v * area.height);
+            let unit = (layout.em / 10.0).max(1.0);
+            canvas.ring(at, 4.0 * unit, 2.4 * unit, Ink::BLACK);
+            canvas.ring(at, 4.0 * unit, 1.2 * unit, ACCENT);
+        }
+    }
+
+    /// What the program is, what happened last, and how long the picture took.
+    fn paint_caption(
+        &self, canvas: &mut Canvas<'_>, layout: &Layout, area: Area, said: Option<&str>,
+        status: &str,
+    ) {
+        let (em, row) = (layout.em, Layout::ROW * layout.em);
+        let below = Area { height: canvas.area().height - area.top, ..area };
+        let mut canvas = canvas.clipped(below);
+        let area = area.inset(0.4 * em);
+        let Program { name, concept, slides, .. } = self.program();
+        if area.height < 5.0 * row {
+            let title = format!("{name}   {concept}");
+            let (text, ink) = said.map_or((status, FAINT), |said| (said, TEXT));
+            let lines = Font::wrap(em, text, area.width).len();
+            let height = row * lines as f32;
+            let below = Area { top: area.top + row, height, ..area };
+            // What is longer lies over the controls until the next key.
+            canvas.fill(below.inset(-0.4 * em), BACKGROUND);
+            draw_text(&mut canvas, below, em, ink, text);
+            let at = area.at(Anchor::TopLeft);
+            canvas.text_within(at, Anchor::TopLeft, em, TEXT, &title, area.width);
+            canvas.text_within(at, Anchor::TopLeft, em, ACCENT, name, area.width);
+            return;
+        }
+        let mut top = draw_text(&mut canvas, area, 1.2 * em, ACCENT, name) + 0.2 * em;
+        for (text, ink) in [(*concept, TEXT), (*slides, FAINT)] {
+            if !text.is_empty() {
+                top = draw_text(&mut canvas, Area { top, ..area }, em, ink, text);
+            }
+        }
+        top += 0.5 * em;
+        let (text, ink) = said.map_or((HINT, FAINT), |said| (said, TEXT));
+        let bottom = draw_text(&mut canvas, Area { top, ..area }, em, ink, text);
+        if bottom + row <= area.bottom() {
+            let at = area.at(Anchor::BottomLeft);
+            canvas.text_within(at, Anchor::BottomLeft, em, FAINT, status, area.width);
+        }
+    }
+
+    /// The controls; none while the picture is alone.
+    pub(super) fn controls(&mut self) -> Option<Panel> {
+        let layout = self.layout();
+        let area = layout.beside?.controls;
+        let rows = self.control_rows();
+        Some(Panel::new(area, layout.em, rows, self.scroll))
+    }
+
+    pub(super) fn reading_panel(&self) -> Option<Panel> {
+        let layout = self.layout();
+        let area = layout.beside?.reading?;
+        Some(Panel::new(area, layout.em, self.reading_rows(), self.reading_scroll))
+    }
+
+    /// The step's own controls first, those of earlier steps by step, the camera's last. Where
+    /// several objects have the same controls, the choice between them stands before.
+    pub(super) fn control_rows(&mut self) -> Vec<Row> {
+        let settings = self.setup.list();
+        let mut groups: Vec<&'static str> = Vec::new();
+        for setting in &settings {
+            if !groups.contains(&setting.group) {
+                groups.push(setting.group);
+            }
+        }
+        let own = groups.iter().rposition(|group| *group != CAMERA).unwrap_or(0);
+        if own < groups.len() {
+            let own = groups.remove(own);
+            self.own_group = own;
+            groups.insert(0, own);
+        }
+        let mut rows: Vec<Row> = Vec::new();
+        for group in groups {
+            let open = self.is_open(Fold::Controls(group), self.own_group == group);
+            if !group.is_empty() {
+                let fold = Fold::Controls(group);
+                rows.push(Row::Heading {
+                    fold,
+                    text: group,
+                    value: String::new(),
+                    open,
+                    faint: false,
+                });
+            }
+            if !open {
+                continue;
+            }
+            let its: Vec<&Setting> =
+                settings.iter().filter(|setting| setting.group == group).collect();
+            for setting in &its {
+                let choice =
+                    settings.iter().find(|choice| setting.of == Some(choice.name.as_str()));
+                for setting in choice.into_iter().chain([*setting]) {
+                    let row = Row::Control(setting.clone());
+                    if !rows.iter().any(|other| other.target() == row.target()) {
+                        rows.push(row);
+                    }
+                }
+            }
+        }
+        rows
+    }
+
+    /// What is to be read: the pinned pixel's explanation, or another text.
+    pub(super) fn reading_rows(&self) -> Vec<Row> {
+        match self.reading {
+            Reading::Pixel => {
+                self.explanation().map_or(Vec::new(), |explanation| self.explained(&explanation))
+            }
+            Reading::Keys => {
+                let lecture = if self.programs.len() > 1 { LECTURE_KEYS } else { &[] };
+                KEYS.iter().chain(lecture).map(|(key, effect)| Row::Key(key, effect)).collect()
+            }
+            Reading::Diff => {
+                let ink = |line: &str| match line.bytes().next() {
+                    Some(b'+') => ADDED,
+                    Some(b'-') => REMOVED,
+                    Some(b'@') => ACCENT,
+                    _ => FAINT,
+                };
+                let lines = self.program().diff.lines();
+                lines.map(|line| Row::Text(line.to_owned(), ink(line))).collect()
+            }
+            Reading::Idea => {
+                let lines = self.program().idea.lines();
+                lines.map(|line| Row::Text(line.to_owned(), TEXT)).collect()
+            }
+        }
+    }
+
+    /// The last section first.
+    fn explained(&self, explanation: &Explanation) -> Vec<Row> {
+        let rgb = encode(explanation.color);
+        let [r, g, b] = rgb;
+        let (col, row) = (explanation.pixel.col, explanation.pixel.row);
+        let mut rows = vec![Row::Pixel { text: format!("({col}, {row}): {r}, {g}, {b}"), rgb }];
+        let last = explanation.sections.len().saturating_sub(1);
+        for (place, section) in explanation.sections.iter().enumerate().rev() {
+            let fold = Fold::Section(section.name);
+            let open = self.is_open(fold, place == last);
+            let (text, value) = (section.name, String::new());
+            if !text.is_empty() {
+                rows.push(Row::Heading { fold, text, value, open, faint: false });
+            }
+            if !open {
+                continue;
+            }
+            for (place, group) in section.groups.iter().enumerate() {
+                let fold = Fold::Group(section.name, place);
+                let open = group.name.is_empty() || self.is_open(fold, group.is_open());
+                if !group.name.is_empty() {
+                    let value = match group.outcome {
+                        Outcome::Told => String::new(),
+                        Outcome::Missed(why, _) => why.to_owned(),
+                        Outcome::Closest(t) | Outcome::Farther(t) => {
+                            format!("t = {}", Value::Number(t).texts().concat().trim())
+                        }
+                    };
+                    let faint = !group.is_open();
+                    rows.push(Row::Heading { fold, text: group.name, value, open, faint });
+                }
+                if open {
+                    rows.extend(group.lines.iter().map(|line| {
+                        let equation = line.equation.to_owned();
+                        Row::Line { equation, values: line.value.texts() }
+                    }));
+                }
+            }
+        }
+        rows
+    }
+}
+
+/// A word over the picture, at its lower edge.
+fn paint_alone(canvas: &mut Canvas<'_>, layout: &Layout, text: &str) {
+    let em = layout.em;
+    let window = canvas.area();
+    let lines = Font::wrap(em, text, window.width - 1.2 * em);
+    let widest = lines.iter().map(|line| Font::width(em, line)).fold(0.0, f32::max);
+    let height = Layout::ROW * em * lines.len() as f32 + 0.6 * em;
+    let at = window.at(Anchor::BottomLeft);
+    let area = Area::anchored(at, Anchor::BottomLeft, widest + 1.2 * em, height);
+    canvas.fill(area, BACKGROUND);
+    let inner = Area { left: area.left + 0.6 * em, top: area.top + 0.3 * em, ..area };
+    draw_text(canvas, Area { width: window.width - 1.2 * em, ..inner }, em, TEXT, text);
+}

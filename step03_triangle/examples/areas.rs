@@ -1,0 +1,44 @@
+//! «Coordenadas baricêntricas»: each weight is the share that the area opposite its vertex has in
+//! the triangle.
+use std::process::ExitCode;
+
+use common::Figure;
+use common::Ink;
+use common::Sketch;
+use common::prelude::*;
+use common::told;
+use step03_triangle::Lesson;
+use step03_triangle::triangle::Triangle;
+
+const RAY: Ray = Ray::new(Vec3::new(0.2, -0.2, 3.0), Vec3::NEG_Z);
+
+fn label(lesson: &Lesson) -> String {
+    let triangle = Triangle::new(lesson.vertices);
+    let solve = |say: &mut _| triangle.solve(&RAY, 0.0, f32::INFINITY, say);
+    told(["α", "β", "γ"], solve).map_or_else(String::new, |[alpha, beta, gamma]| {
+        format!("α = {alpha:.2}, β = {beta:.2}, γ = {gamma:.2} of the whole area")
+    })
+}
+
+fn draw(lesson: &Lesson, sketch: &mut Sketch<'_>) {
+    sketch.vectors(&RAY, &["α", "β", "γ"]);
+    let center = lesson.vertices.iter().sum::<Vec3>() / 3.0;
+    for (vertex, name) in lesson.vertices.into_iter().zip(["a", "b", "c"]) {
+        sketch.text(sketch.project(vertex + 0.1 * (vertex - center)), Ink::WHITE, name);
+    }
+}
+
+fn figure() -> Figure<Lesson> {
+    // Black under the areas' own colours.
+    let lesson = Lesson { shown: Color::ZERO, ..Lesson::default() };
+    Figure::new(lesson, 1)
+        .aspect(1.9)
+        .controls(&["a.x", "a.y", "b.x", "b.y", "c.x", "c.y"])
+        .panel("", |_| ())
+        .label(label)
+        .draw(draw)
+}
+
+fn main() -> ExitCode {
+    common::figure(env!("CARGO_BIN_NAME"), "The areas that α, β and γ measure", figure)
+}

@@ -1,0 +1,648 @@
+//! What a class does, without a display: every key and every action of the mouse.
+
+use std::rc::Rc;
+
+use common::Area;
+use common::Effect;
+use common::Event;
+use common::Explanation;
+use common::Frame;
+use common::Ink;
+use common::Key;
+use common::Pixel;
+use common::Program;
+use common::Session;
+use common::Setup;
+use common::Size;
+use common::Wanted;
+use common::symbol_ink;
+use image::Rgb;
+use image::RgbImage;
+use image::imageops;
+use tests::STEPS;
+use tests::step;
+
+fn size(width: usize, height: usize) -> Size {
+    Size::new(width, height).expect("a size")
+}
+
+fn program(index: usize) -> Program {
+    let make = Rc::new(move || step(index));
+    Program::new(STEPS[index], "a concept", size(320, 180), make)
+}
+
+/// A step's session in a window of its picture's size.
+fn session(index: usize) -> Session {
+    let program = program(index);
+    let setup = Setup::new(program.make.clone());
+    Session::new(vec![program], 0, setup, size(320, 180), 1)
+}
+
+/// All steps' session, at the step `index`.
+fn lecture(index: usize) -> Session {
+    let programs: Vec<Program> = (0..STEPS.len()).map(program).collect();
+    let setup = Setup::new(programs[index].make.clone());
+    let programs = programs
+        .into_iter()
+        .map(|program| Program { diff: "+a line\n-another", idea: "an idea", ..program })
+        .collect();
+    Session::new(programs, index, setup, size(320, 180), 1)
+}
+
+fn key(session: &mut Session, key: Key) -> Vec<Effect> {
+    session.handle(Event::Key(key, false))
+}
+
+/// What `session` paints into a window of `window`.
+fn painted(session: &mut Session, window: Size) -> RgbImage {
+    session.handle(Event::Resize(window));
+    paint(session, window)
+}
+
+/// The pictures that `session` wants.
+fn rendered(session: &Session) -> Vec<RgbImage> {
+    let render = |wanted: &Wanted<'_>| {
+        let (step, camera) = (wanted.setup.step(), &*wanted.camera);
+        Frame { step, camera, size: wanted.size, samples: 1 }.render()
+    };
+    session.pictures().iter().map(render).collect()
+}
+
+fn paint(session: &mut Session, window: Size) -> RgbImage {
+    let pictures = rendered(session);
+    let mut image = RgbImage::new(window.width() as u32, window.height() as u32);
+    session.paint(&mut image, &pictures.iter().collect::<Vec<_>>(), "1 ms");
+    image
+}
+
+fn text(session: &Session, name: &str) -> String {
+    // Carried to the same step it lists the same.
+    let mut setup = session.setup().carried_to(session.program().make.clone());
+    setup.list().into_iter().find(|setting| setting.name == name).expect("a control").text
+}
+
+fn middle(area: Area) -> (f32, f32) {
+    (area.left + area.width / 2.0, area.top + area.height / 2.0)
+}
+
+fn click(session: &mut Session, (x, y): (f32, f32)) -> Vec<Effect> {
+    let mut effects = session.handle(Event::Press(x, y));
+    effects.extend(session.handle(Event::Release(x, y)));
+    effects
+}
+
+fn click_middle(session: &mut Session) -> Vec<Effect> {
+    let at = middle(session.picture_area());
+    click(session, at)
+}
+
+fn printed(effects: &[Effect]) -> Option<&str> {
+    effects.iter().find_map(|effect| match effect {
+        Effect::Print(text) => Some(&**text),
+        _ => None,
+    })
+}
+
+#[test]
+fn arrows_select_and_change() {
+    let mut session = session(1);
+    assert_eq!(session.selected(), Some("radius"));
+    key(&mut session, Key::Down);
+    assert_eq!(session.selected(), Some("center.x"));
+    assert!(key(&mut session, Key::Right).contains(&Effect::Redraw));
+    let coarse: f32 = text(&session, "center.x").parse().expect("a number");
+    assert!(coarse > 0.0);
+    key(&mut session, Key::Left);
+    let back: f32 = text(&session, "center.x").parse().expect("a number");
+    assert!(back.abs() < 1e-5, "{back}");
+    session.handle(Event::Key(Key::Right, true));
+    let fine: f32 = text(&session, "center.x").parse().expect("a number");
+    assert!(fine > 0.0 && fine < coarse / 5.0, "{fine} {coarse}");
+    key(&mut session, Key::Up);
+    assert_eq!(session.selected(), Some("radius"));
+    // Before the first comes the last: the heading over the camera's.
+    key(&mut session, Key::Up);
+    assert_eq!(session.selected(), None);
+    // It opens to the right and folds to the left, and changes nothing.
+    assert!(!key(&mut session, Key::Right).contains(&Effect::Redraw));
+    key(&mut session, Key::Down);
+    assert_eq!(session.selected(), Some("radius"));
+    key(&mut session, Key::Up);
+    assert_eq!(session.selected(), Some("fov"));
+}
+
+#[test]
+fn every_control_can_be_selected() {
+    for (index, name) in STEPS.iter().enumerate() {
+        let mut session = session(index);
+        let mut seen: Vec<String> = Vec::new();
+        // Headings open on the way.
+        for _ in 0..120 {
+            match session.selected() {
+                Some(name) => seen.push(name.to_owned()),
+                None => drop(key(&mut session, Key::Right)),
+            }
+            key(&mut session, Key::Down);
+        }
+        for setting in tests::setup(index).list() {
+            assert!(seen.contains(&setting.name), "{name}: {}", setting.name);
+        }
+    }
+}
+
+#[test]
+fn one_control_is_reset_or_all() {
+    for back in [Key::Backspace, Key::Delete] {
+        let mut session = session(1);
+        key(&mut session, Key::Right);
+        key(&mut session, Key::Down);
+        key(&mut session, Key::Right);
+        assert_eq!(session.setup().settings().len(), 2);
+        assert!(key(&mut session, back).contains(&Effect::Redraw));
+        assert_eq!(session.setup().settings().len(), 1);
+        assert!(session.setup().settings()[0].starts_with("radius="));
+        key(&mut session, Key::Home);
+        assert_eq!(session.setup().settings(), Vec::<String>::new());
+    }
+}
+
+#[test]
+fn space_gives_the_picture_the_whole_window() {
+    let mut session = session(6);
+    let beside = session.picture_area();
+    assert!(beside.width < 320.0 && beside.height < 180.0);
+    assert!(key(&mut session, Key::Space).contains(&Effect::Redraw));
+    assert_eq!(session.picture_area(), Area::new(0.0, 0.0, 320.0, 180.0));
+    let window = size(320, 180);
+    assert!(painted(&mut session, window) == tests::picture_of(session.setup(), 320, 180));
+    // What happens is said there too.
+    session.handle(Event::Say("saved".to_owned()));
+    assert!(paint(&mut session, window) != tests::picture_of(session.setup(), 320, 180));
+    key(&mut session, Key::Space);
+    assert_eq!(session.picture_area(), beside);
+}
+
+#[test]
+fn a_figure_is_first_shown_alone() {
+    let program = Program { is_figure: true, ..program(6) };
+    let setup = Setup::new(program.make.clone());
+    let session = Session::new(vec![program], 0, setup, size(320, 180), 1);
+    assert_eq!(session.picture_area(), Area::new(0.0, 0.0, 320.0, 180.0));
+    assert_eq!(session.command(), "cargo run --example step07_specular");
+}
+
+#[test]
+fn a_click_pins_and_escape_unpins() {
+    let mut session = session(6);
+    let area = session.picture_area();
+    let effects = click(&mut session, middle(area));
+    let pixel = Pixel { col: 160, row: 90, width: 320, height: 180 };
+    assert_eq!(session.pinned(), Some(pixel));
+    let view = session.setup().view().camera(320.0 / 180.0);
+    let expected: Explanation = session.setup().step().explain(&*view, pixel);
+    assert_eq!(session.explanation(), Some(expected.clone()));
+    assert_eq!(printed(&effects), Some(&*expected.to_string()));
+    assert!(session.note().expect("a note").contains("(160, 90)"));
+    // It follows what is changed, and is printed once.
+    key(&mut session, Key::Down);
+    let effects = key(&mut session, Key::Right);
+    assert_eq!(printed(&effects), None);
+    assert!(session.explanation() != Some(expected));
+    assert!(!key(&mut session, Key::Escape).contains(&Effect::Quit));
+    assert_eq!(session.pinned(), None);
+    assert!(key(&mut session, Key::Escape).contains(&Effect::Quit));
+}
+
+#[test]
+fn a_key_pins_the_pixel_under_the_pointer() {
+    for pin in [Key::Enter, Key::Char('P')] {
+        let mut session = session(6);
+        assert_eq!(printed(&key(&mut session, pin)), None);
+        assert!(session.note().is_some() && session.pinned().is_none());
+        let (x, y) = middle(session.picture_area());
+        session.handle(Event::Move(x, y));
+        assert!(printed(&key(&mut session, pin)).is_some());
+        assert_eq!(session.pinned().map(|pixel| (pixel.col, pixel.row)), Some((160, 90)));
+    }
+}
+
+#[test]
+fn a_pinned_pixel_stays_in_any_window() {
+    let mut session = session(6);
+    click_middle(&mut session);
+    let pinned = session.pinned();
+    for (width, height) in [(1, 1), (120, 2000), (2000, 30), (5000, 3000), (320, 180)] {
+        painted(&mut session, size(width, height));
+        assert_eq!(session.pinned(), pinned);
+    }
+}
+
+#[test]
+fn the_whole_picture_has_its_shape_in_every_window() {
+    for (width, height) in [(960, 540), (1280, 720), (1920, 1080), (700, 1100), (1, 1), (120, 2000)]
+    {
+        for pinned in [false, true] {
+            let mut session = session(6);
+            if pinned {
+                click_middle(&mut session);
+            }
+            session.handle(Event::Resize(size(width, height)));
+            let area = session.picture_area();
+            assert!(area.left >= 0.0 && area.right() <= width as f32, "{area:?}");
+            assert!(area.top >= 0.0 && area.bottom() <= height as f32, "{area:?}");
+            assert!((area.width - area.height * 16.0 / 9.0).abs() <= 2.0, "{area:?}");
+            if width as f32 / height as f32 == 16.0 / 9.0 && height >= 540 {
+                assert!(area.width >= 0.6 * width as f32, "{area:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn nothing_lies_over_the_picture() {
+    for index in 0..STEPS.len() {
+        let mut session = session(index);
+        for window in [size(640, 360), size(960, 540), size(400, 700)] {
+            let image = painted(&mut session, window);
+            let area = session.picture_area();
+            let (width, height) = (area.width as u32, area.height as u32);
+            let found =
+                imageops::crop_imm(&image, area.left as u32, area.top as u32, width, height);
+            let same = found.to_image() == rendered(&session)[0];
+            assert!(same, "{} {window}", STEPS[index]);
+        }
+    }
+}
+
+#[test]
+fn a_drag_orbits_and_the_wheel_zooms() {
+    let mut session = session(6);
+    let start = session.setup().view().clone();
+    let (x, y) = middle(session.picture_area());
+    session.handle(Event::Press(x, y));
+    // As long as it is a click.
+    assert_eq!(session.handle(Event::Move(x + 1.0, y)), []);
+    assert!(session.handle(Event::Move(x - 30.0, y + 20.0)).contains(&Effect::Redraw));
+    session.handle(Event::Release(x - 30.0, y + 20.0));
+    let view = session.setup().view().clone();
+    assert!(view.azimuth > start.azimuth && view.elevation > start.elevation);
+    assert_eq!(session.pinned(), None);
+    session.handle(Event::Wheel(2.0));
+    assert!((session.setup().view().distance / view.distance - 0.81).abs() < 1e-4);
+    // Once the button is up nothing moves any more.
+    assert_eq!(session.handle(Event::Move(x, y)), []);
+}
+
+/// Where the slider of the selected control ends, found as a hand would: by pressing.
+fn slide(session: &mut Session, window: Size) -> bool {
+    let before = session.setup().settings();
+    let selected = session.selected().map(str::to_owned);
+    for y in (0..window.height()).step_by(6) {
+        for x in (0..window.width()).step_by(6) {
+            let at = (x as f32, y as f32);
+            if session.picture_area().contains(at) {
+                continue;
+            }
+            session.handle(Event::Press(at.0, at.1));
+            if session.selected().map(str::to_owned) == selected
+                && session.setup().settings() != before
+            {
+                return true;
+            }
+            session.handle(Event::Release(at.0, at.1));
+        }
+    }
+    false
+}
+
+#[test]
+fn a_slider_is_dragged_to_its_ends() {
+    let window = size(960, 540);
+    let mut session = session(1);
+    session.handle(Event::Resize(window));
+    assert!(slide(&mut session, window), "no slider was found");
+    session.handle(Event::Move(5000.0, 5000.0));
+    assert_eq!(text(&session, "radius"), "2");
+    session.handle(Event::Move(-5000.0, 0.0));
+    assert_eq!(text(&session, "radius"), "0.1");
+    session.handle(Event::Release(-5000.0, 0.0));
+    session.handle(Event::Move(5000.0, 0.0));
+    assert_eq!(text(&session, "radius"), "0.1");
+}
+
+#[test]
+fn what_is_left_for_another_window_is_let_go() {
+    let mut session = session(6);
+    let (x, y) = middle(session.picture_area());
+    session.handle(Event::Press(x, y));
+    session.handle(Event::FocusLost);
+    assert_eq!(session.handle(Event::Move(x + 50.0, y)), []);
+    session.handle(Event::Release(x + 50.0, y));
+    assert_eq!(session.pinned(), None);
+}
+
+#[test]
+fn the_wheel_beside_the_picture_scrolls() {
+    let window = size(960, 540);
+    let mut session = session(6);
+    session.handle(Event::Resize(window));
+    click_middle(&mut session);
+    let distance = session.setup().view().distance;
+    let before = paint(&mut session, window);
+    session.handle(Event::Move(900.0, 200.0));
+    session.handle(Event::Wheel(-3.0));
+    let after = paint(&mut session, window);
+    assert_eq!(session.setup().view().distance, distance);
+    assert!(before != after);
+    // Back to the top, and not beyond.
+    session.handle(Event::Wheel(50.0));
+    assert!(paint(&mut session, window) == before);
+}
+
+#[test]
+fn a_click_on_a_heading_folds() {
+    let window = size(960, 540);
+    let mut session = session(6);
+    session.handle(Event::Resize(window));
+    click_middle(&mut session);
+    key(&mut session, Key::Down);
+    let open = paint(&mut session, window);
+    // The first row of the explanation is the pixel, the second the section.
+    let em = 0.0385 * 540.0;
+    let heading = (session.picture_area().right() + 100.0, 2.8 * em);
+    click(&mut session, heading);
+    let folded = paint(&mut session, window);
+    assert!(open != folded);
+    click(&mut session, heading);
+    assert!(paint(&mut session, window) == open);
+}
+
+#[test]
+fn letters_grow_and_shrink() {
+    let window = size(960, 540);
+    let mut session = session(6);
+    session.handle(Event::Resize(window));
+    let usual = session.picture_area().width;
+    assert!(key(&mut session, Key::Char('+')).contains(&Effect::Redraw));
+    assert!(session.picture_area().width < usual);
+    key(&mut session, Key::Char('-'));
+    assert_eq!(session.picture_area().width, usual);
+    // Larger than the window, and smaller than a pixel.
+    for (by, times) in [('+', 40), ('-', 80)] {
+        (0..times).for_each(|_| drop(key(&mut session, Key::Char(by))));
+        for window in [window, size(60, 40), size(1, 1)] {
+            painted(&mut session, window);
+        }
+    }
+}
+
+#[test]
+fn f1_lists_the_keys_and_f2_saves() {
+    let window = size(960, 540);
+    let mut session = session(6);
+    let before = painted(&mut session, window);
+    key(&mut session, Key::F(1));
+    assert!(paint(&mut session, window) != before);
+    key(&mut session, Key::F(1));
+    assert!(paint(&mut session, window) == before);
+    // Escape leaves the keys first.
+    key(&mut session, Key::F(1));
+    assert!(!key(&mut session, Key::Escape).contains(&Effect::Quit));
+    assert!(paint(&mut session, window) == before);
+    assert!(key(&mut session, Key::F(2)).contains(&Effect::Save));
+    session.handle(Event::Say("cannot write: the disc is full".to_owned()));
+    assert!(paint(&mut session, window) != before);
+}
+
+#[test]
+fn vectors_are_shown_and_hidden() {
+    let window = size(960, 540);
+    let mut session = session(6);
+    session.handle(Event::Resize(window));
+    click_middle(&mut session);
+    let shown = paint(&mut session, window);
+    key(&mut session, Key::Char('V'));
+    assert!(paint(&mut session, window) != shown);
+    key(&mut session, Key::Char('V'));
+    // But for the note on what was pinned.
+    let area = session.picture_area();
+    let crop = |image: &RgbImage| {
+        imageops::crop_imm(image, 0, 0, area.width as u32, area.height as u32).to_image()
+    };
+    assert!(crop(&paint(&mut session, window)) == crop(&shown));
+}
+
+#[test]
+fn the_command_gives_the_same_picture() {
+    let mut session = session(6);
+    assert_eq!(session.command(), "cargo run -p step07_specular");
+    let (x, y) = middle(session.picture_area());
+    session.handle(Event::Press(x, y));
+    session.handle(Event::Move(x + 33.0, y - 7.0));
+    session.handle(Event::Release(x + 33.0, y - 7.0));
+    key(&mut session, Key::Right);
+    key(&mut session, Key::Down);
+    key(&mut session, Key::Right);
+    let effects = key(&mut session, Key::Char('C'));
+    let command = session.command();
+    assert_eq!(printed(&effects), Some(&*format!("{command}\n")));
+    assert_eq!(session.note(), Some(&*command));
+    let settings = command.split(" --set ").skip(1);
+    let mut again = tests::setup(6);
+    for setting in settings {
+        let (name, value) = setting.split_once('=').expect("a setting");
+        again.set(name, value).expect("it is taken");
+    }
+    let expected = tests::picture_of(session.setup(), 160, 90);
+    assert!(tests::picture_of(&again, 160, 90) == expected);
+}
+
+#[test]
+fn from_outside_the_onlooker_moves() {
+    let mut session = session(6);
+    let view = session.setup().view().clone();
+    assert!(key(&mut session, Key::Char('O')).contains(&Effect::Redraw));
+    let onlooker = session.onlooker().expect("outside").clone();
+    // In the sky, where nothing is to be taken hold of.
+    let area = session.picture_area();
+    let (x, y) = (area.left + 3.0, area.top + 3.0);
+    session.handle(Event::Press(x, y));
+    session.handle(Event::Move(x + 30.0, y));
+    session.handle(Event::Release(x + 30.0, y));
+    session.handle(Event::Wheel(1.0));
+    assert_eq!(*session.setup().view(), view);
+    let moved = session.onlooker().expect("outside");
+    assert_ne!(moved.azimuth, onlooker.azimuth);
+    assert!(moved.distance < onlooker.distance);
+    click(&mut session, (x, y));
+    assert_eq!(session.pinned(), None);
+    key(&mut session, Key::Char('O'));
+    assert!(session.onlooker().is_none());
+}
+
+#[test]
+fn a_light_is_dragged_from_outside() {
+    let mut session = session(6);
+    key(&mut session, Key::Char('O'));
+    let area = session.picture_area();
+    let before = session.setup().settings();
+    // Somewhere in the picture is a point to be taken hold of.
+    let moved = (0..area.height as usize).step_by(4).any(|row| {
+        (0..area.width as usize).step_by(4).any(|col| {
+            let (x, y) = (area.left + col as f32, area.top + row as f32);
+            session.handle(Event::Press(x, y));
+            session.handle(Event::Move(x + 6.0, y));
+            session.handle(Event::Release(x + 6.0, y));
+            session.setup().settings() != before
+        })
+    });
+    assert!(moved);
+    assert!(session.setup().settings().iter().any(|setting| setting.starts_with("light.")));
+}
+
+#[test]
+fn keys_go_from_step_to_step() {
+    let mut session = lecture(5);
+    session.handle(Event::Wheel(1.0));
+    click_middle(&mut session);
+    key(&mut session, Key::Char('+'));
+    let (distance, pinned) = (session.setup().view().distance, session.pinned());
+    assert!(key(&mut session, Key::PageDown).contains(&Effect::Redraw));
+    assert_eq!(session.program().name, STEPS[6]);
+    assert_eq!((session.setup().view().distance, session.pinned()), (distance, pinned));
+    key(&mut session, Key::PageDown);
+    assert_eq!(session.program().name, STEPS[6]);
+    key(&mut session, Key::PageUp);
+    assert_eq!(session.program().name, STEPS[5]);
+    for digit in 1..=7 {
+        key(&mut session, Key::Char(char::from(b'0' + digit)));
+        assert_eq!(session.program().name, STEPS[usize::from(digit) - 1]);
+    }
+    for key_ in [Key::Char('8'), Key::F(9), Key::Char('Z')] {
+        key(&mut session, key_);
+        assert_eq!(session.program().name, STEPS[6]);
+    }
+    let mut alone = crate::session(3);
+    assert!(!key(&mut alone, Key::PageUp).contains(&Effect::Redraw));
+    assert_eq!(alone.program().name, STEPS[3]);
+}
+
+#[test]
+fn the_step_before_is_seen_as_long_as_a_key_is_held() {
+    let mut session = lecture(6);
+    key(&mut session, Key::Tab);
+    let pictures: Vec<usize> = session.pictures().iter().map(|wanted| wanted.program).collect();
+    assert_eq!(pictures, [5]);
+    session.handle(Event::KeyUp(Key::Tab));
+    let pictures: Vec<usize> = session.pictures().iter().map(|wanted| wanted.program).collect();
+    assert_eq!(pictures, [6]);
+}
+
+#[test]
+fn a_line_divides_the_step_before_from_this_one() {
+    let window = size(960, 540);
+    let mut session = lecture(6);
+    session.handle(Event::Resize(window));
+    key(&mut session, Key::Char('D'));
+    let (x, y) = middle(session.picture_area());
+    session.handle(Event::Press(x, y));
+    session.handle(Event::Move(x + 100.0, y));
+    session.handle(Event::Release(x + 100.0, y));
+    assert_eq!(session.pictures().len(), 2);
+    let image = paint(&mut session, window);
+    let sides = rendered(&session);
+    assert!(sides[0] != sides[1]);
+    for row in 0..sides[0].height() {
+        for col in 0..sides[0].width() {
+            let side = match (col as f32) - (x + 100.0) {
+                off if off < -6.0 => 0,
+                off if off > 6.0 => 1,
+                _ => continue,
+            };
+            assert_eq!(image.get_pixel(col, row), sides[side].get_pixel(col, row), "{col} {row}");
+        }
+    }
+    key(&mut session, Key::Char('D'));
+    assert_eq!(session.pictures().len(), 1);
+    // The first step has none before it, and a step's own window has no other.
+    key(&mut session, Key::Char('1'));
+    key(&mut session, Key::Char('D'));
+    assert_eq!(session.pictures().len(), 1);
+    painted(&mut session, window);
+    let mut alone = crate::session(6);
+    key(&mut alone, Key::Char('X'));
+    assert_eq!(alone.pictures().len(), 1);
+}
+
+#[test]
+fn differences_are_seen_eight_times() {
+    let window = size(960, 540);
+    let mut session = lecture(6);
+    session.handle(Event::Resize(window));
+    key(&mut session, Key::Char('X'));
+    let image = paint(&mut session, window);
+    let pictures = rendered(&session);
+    for (col, row, this) in pictures[1].enumerate_pixels() {
+        let before = pictures[0].get_pixel(col, row).0;
+        let off = [0, 1, 2].map(|c| this.0[c].abs_diff(before[c]).saturating_mul(8));
+        assert_eq!(*image.get_pixel(col, row), Rgb(off));
+    }
+}
+
+#[test]
+fn the_lesson_is_read_beside_the_picture() {
+    let window = size(960, 540);
+    let mut session = lecture(6);
+    let before = painted(&mut session, window);
+    for lesson in [Key::F(3), Key::F(4)] {
+        key(&mut session, lesson);
+        assert!(paint(&mut session, window) != before);
+        key(&mut session, lesson);
+        assert!(paint(&mut session, window) == before);
+        // A step's own window has none.
+        let mut alone = crate::session(6);
+        let picture = alone.picture_area();
+        key(&mut alone, lesson);
+        assert_eq!(alone.picture_area(), picture);
+    }
+}
+
+#[test]
+fn no_event_hurts_in_any_window() {
+    let keys = "PVOCDX+-1237Z".chars().map(Key::Char);
+    let keys: Vec<Key> = keys
+        .chain((0..12).map(Key::F))
+        .chain([Key::Up, Key::Down, Key::Left, Key::Right, Key::Home, Key::Backspace])
+        .chain([Key::Space, Key::Enter, Key::Tab, Key::PageUp, Key::PageDown, Key::Escape])
+        .collect();
+    for (width, height) in [(1, 1), (120, 400), (400, 20), (64, 36)] {
+        let window = size(width, height);
+        let mut session = lecture(0);
+        painted(&mut session, window);
+        for (turn, pressed) in keys.iter().chain(keys.iter().rev()).enumerate() {
+            key(&mut session, *pressed);
+            let at = (turn as f32 * 7.0 % width as f32, turn as f32 * 5.0 % height as f32);
+            click(&mut session, at);
+            session.handle(Event::Move(f32::NAN, f32::INFINITY));
+            session.handle(Event::Wheel(turn as f32 - 20.0));
+            session.handle(Event::Move(at.0, at.1));
+            paint(&mut session, window);
+        }
+    }
+}
+
+#[test]
+fn symbols_can_be_read_beside_the_picture() {
+    let background = Ink::new(21, 24, 31);
+    let mut seen = 0;
+    for index in 0..STEPS.len() {
+        let mut session = session(index);
+        click_middle(&mut session);
+        let explanation = session.explanation().expect("a pixel is pinned");
+        for ink in explanation.lines().filter_map(|line| symbol_ink(line.symbol())) {
+            seen += 1;
+            assert!(ink.contrast(background) >= 4.5, "{ink:?}");
+        }
+    }
+    assert!(seen > 20);
+}
