@@ -34,7 +34,9 @@ impl Browser {
         let lines = BufReader::new(driver.stdout.take().expect("it is piped")).lines();
         let port = lines
             .map_while(Result::ok)
-            .find_map(|line| line.split("successfully on port ").nth(1)?.trim_end_matches('.').parse().ok())
+            .find_map(|line| {
+                line.split("successfully on port ").nth(1)?.trim_end_matches('.').parse().ok()
+            })
             .expect("chromedriver says its port");
         let mut browser = Self { driver, port, session: String::new() };
         // Whoever is root has no sandbox; what is opened is our own.

@@ -397,13 +397,13 @@ fn each_mistake_is_told_from_all_others() {
         ["", "camera=parallel", "azimuth=60", "elevation=-20", "distance=0.1", "center.x=0.9"];
     let mut unnamed: Vec<&str> = Mistake::ALL.iter().map(|mistake| mistake.what).collect();
     unnamed.dedup();
-    for index in 0..STEPS.len() {
+    for (index, name) in STEPS.iter().enumerate() {
         let size = Size::new(48, 27).expect("a size");
         let setups = views.map(|view| {
             let mut setup = Setup::new(Rc::new(move || step(index)));
-            if let Some((name, value)) = view.split_once('=') {
+            if let Some((control, value)) = view.split_once('=') {
                 // Only some steps have a centre.
-                let _ = setup.set(name, value);
+                let _ = setup.set(control, value);
             }
             setup
         });
@@ -435,7 +435,7 @@ fn each_mistake_is_told_from_all_others() {
                 .collect();
             let said: Vec<&str> = Mistake::named(&pairs).iter().map(|named| named.what).collect();
             let is_it = said.is_empty() || said.contains(&mistake.what);
-            assert!(is_it, "{}: {}: {said:?}", STEPS[index], mistake.what);
+            assert!(is_it, "{}: {}: {said:?}", name, mistake.what);
             unnamed.retain(|what| !said.contains(what));
         }
     }
