@@ -317,7 +317,7 @@ impl<S: Package> Sheet<'_, S> {
                 let number =
                     |name, start| self.moved.number(hit(), name).unwrap_or(f64::from(start));
                 let (k_s, p) = (number("k_s", material.k_s), number("p", material.exponent));
-                all(DVec3::new(k_s, p, 0.0), if self.shown { p } else { 1.0 })
+                all(DVec3::new(k_s, p, 0.0), p.max(1.0))
             }
             "max(0, cos α)^p" => {
                 let (k_s, p) = (v("k_s, p").x, v("k_s, p").y);
