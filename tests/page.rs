@@ -169,8 +169,12 @@ fn each_control_moves_the_picture() {
     }
     // A direction knows no distance, a sphere at the target looks alike from everywhere, and so does
     // a triangle in the target's plane with both cameras.
-    let expected =
-        ["step01_rays distance", "step02_sphere azimuth", "step02_sphere elevation", "step03_triangle camera"];
+    let expected = [
+        "step01_rays distance",
+        "step02_sphere azimuth",
+        "step02_sphere elevation",
+        "step03_triangle camera",
+    ];
     assert_eq!(still, expected);
     quiet(&browser);
 }
@@ -273,7 +277,15 @@ fn a_link_shows_the_same_again() {
     browser.wait_for(DRAWN);
     assert!(seen(&browser) == before, "{link} shows something else");
     let command = browser.text("$('command').click(); return $('notice').textContent");
-    assert!(["cargo run -p step06_shadows -- --set ", " --set epsilon=0 --set sphere=blue --set radius=0.86 --outside "].iter().all(|part| command.contains(part)), "{command}");
+    assert!(
+        [
+            "cargo run -p step06_shadows -- --set ",
+            " --set epsilon=0 --set sphere=blue --set radius=0.86 --outside "
+        ]
+        .iter()
+        .all(|part| command.contains(part)),
+        "{command}"
+    );
     quiet(&browser);
 }
 
