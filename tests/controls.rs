@@ -17,8 +17,11 @@ use tests::step;
 const WIDTH: usize = 160;
 const HEIGHT: usize = 90;
 
+/// A step, one of its controls, and what has to be set first.
+type First = (&'static str, &'static str, &'static [(&'static str, &'static str)]);
+
 /// Where a control has to be tried with another one moved first, and why.
-const FIRST: [(&str, &str, &[(&str, &str)]); 4] = [
+const FIRST: [First; 4] = [
     // Moving straight back leaves all directions as they are, and the one origin of perspective
     // soon lies beyond the colours; a parallel view grows with the distance.
     ("step01_rays", "distance", &[("shown", "origin"), ("camera", "parallel")]),

@@ -184,7 +184,6 @@ fn step04_with_one_triangle_covers_what_step03_does() {
             triangles: vec![(earlier.vertices, Paint::matte(Color::ONE))],
             ..World::default()
         }),
-        ..step04_scene::Lesson::default()
     };
     for view in views(&earlier) {
         // α + β + γ = 1 inside, so that no pixel of it is black.
@@ -210,7 +209,6 @@ fn step04_with_the_unit_sphere_is_step02() {
             spheres: vec![(ball, Paint::matte(Color::ONE))],
             ..World::default()
         }),
-        ..step04_scene::Lesson::default()
     };
     for view in views(&earlier) {
         let why = "the slide's white unit sphere on black is all there is";

@@ -40,7 +40,7 @@ pub struct Difference {
     pub found: [u8; 3],
     /// The smallest box around all of them: left, top, right, bottom, all inclusive.
     pub bounds: [u32; 4],
-    /// What would make the pictures equal, if that is known: a clause for the end of a sentence.
+    /// Which other picture it is, if it is one: a clause for the end of a sentence.
     pub hint: Option<String>,
 }
 
@@ -59,11 +59,7 @@ impl Comparison {
             let (expected, found) = (expected.dimensions(), found.dimensions());
             return Self::Size { expected, found };
         }
-        let off = |(a, b): (&Rgb<u8>, &Rgb<u8>)| {
-            let channels = a.0.iter().zip(&b.0);
-            channels.map(|(a, b)| a.abs_diff(*b)).max().unwrap_or(0)
-        };
-        let offs = || expected.pixels().zip(found.pixels()).map(off);
+        let offs = || expected.pixels().zip(found.pixels()).map(|(a, b)| off(a.0, b.0));
         let strays = offs().filter(|off| *off > TOLERANCE).count();
         let pixels = expected.pixels().len();
         if strays <= STRAYS.min(pixels / 1000) {
@@ -88,7 +84,7 @@ impl Comparison {
             expected: expected.get_pixel(worst.0, worst.1).0,
             found: found.get_pixel(worst.0, worst.1).0,
             bounds,
-            hint: hint(expected, found, others, strays),
+            hint: hint(found, others, strays),
         })
     }
 
@@ -98,77 +94,26 @@ impl Comparison {
     }
 }
 
-/// Whether two pixels are equal within the threshold.
-fn near(a: [u8; 3], b: [u8; 3]) -> bool {
-    a.iter().zip(b).all(|(a, b)| a.abs_diff(b) <= TOLERANCE)
+/// How far the channel is off that is furthest, in steps of 1/255.
+pub(crate) fn off(a: [u8; 3], b: [u8; 3]) -> u8 {
+    a.iter().zip(b).map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)
 }
 
-/// Whether `encoded` is the sRGB code of (`pixel` / 255)^`exponent`. Either was rounded, so each
-/// may be one off.
-fn encode_to(pixel: [u8; 3], encoded: [u8; 3], exponent: f32) -> bool {
-    // By the formula, since it may be `encode` that is broken.
-    let srgb = |code: u8| {
-        let linear = (f32::from(code) / 255.0).powf(exponent);
-        let bright = 1.055 * linear.powf(1.0 / 2.4) - 0.055;
-        (255.0 * if linear <= 0.0031308 { 12.92 * linear } else { bright }).round() as u8
-    };
-    pixel.iter().zip(encoded).all(|(code, encoded)| {
-        let low = srgb(code.saturating_sub(1)).saturating_sub(TOLERANCE);
-        let high = srgb(code.saturating_add(1)).saturating_add(TOLERANCE);
-        (low..=high).contains(&encoded)
-    })
-}
-
-/// What would make the pictures equal: the first of the known mistakes that explains nine in ten
-/// of the `strays`.
-fn hint(
-    expected: &RgbImage, found: &RgbImage, others: &[(&str, RgbImage)], strays: usize,
-) -> Option<String> {
-    let (right, bottom) = (expected.width() - 1, expected.height() - 1);
-    let at = |col, row| expected.get_pixel(col, row).0;
-    // What is to be done to the picture found, and whether a pixel of it then is as expected.
-    type Fits<'a> = &'a dyn Fn(u32, u32, [u8; 3]) -> bool;
-    let known: [(&str, Fits<'_>); 10] = [
-        ("turned upside down (v = 1 − (row + ½)/height)", &|col, row, pixel| {
-            near(pixel, at(col, bottom - row))
-        }),
-        ("mirrored (u = (col + ½)/width)", &|col, row, pixel| near(pixel, at(right - col, row))),
-        ("turned by 180° (u grows to the right, v upwards)", &|col, row, pixel| {
-            near(pixel, at(right - col, bottom - row))
-        }),
-        ("with red and blue exchanged", &|col, row, [r, g, b]| near([b, g, r], at(col, row))),
-        ("with red and green exchanged", &|col, row, [r, g, b]| near([g, r, b], at(col, row))),
-        ("with green and blue exchanged", &|col, row, [r, g, b]| near([r, b, g], at(col, row))),
-        ("sRGB-encoded", &|col, row, pixel| encode_to(pixel, at(col, row), 1.0)),
-        ("sRGB-encoded once, not twice,", &|col, row, pixel| encode_to(at(col, row), pixel, 1.0)),
-        ("with sRGB in place of a square root", &|col, row, pixel| {
-            encode_to(pixel, at(col, row), 2.0)
-        }),
-        ("with sRGB in place of the power 1/2.2", &|col, row, pixel| {
-            encode_to(pixel, at(col, row), 2.2)
-        }),
-    ];
-    let most = strays / 10;
-    let misfits = |fits: Fits<'_>| {
-        let pixels = found.enumerate_pixels();
-        let misfits = pixels.filter(|(col, row, pixel)| !fits(*col, *row, pixel.0));
-        let misfits = misfits.take(most + 1).count();
-        (misfits <= most).then_some(misfits)
-    };
-    let sentence = |mended: &str, misfits| match misfits {
-        0 => format!("{mended} it would match"),
-        1 => format!("{mended} it would match but for 1 pixel"),
-        _ => format!("{mended} it would match but for {misfits} pixels"),
-    };
-    let known = known.iter().find_map(|(mended, fits)| Some(sentence(mended, misfits(*fits)?)));
-    known.or_else(|| {
-        let same_size = others.iter().filter(|(_, other)| other.dimensions() == found.dimensions());
-        let mut others = same_size.filter_map(|(name, other)| {
-            let misfits = misfits(&|col, row, pixel| near(other.get_pixel(col, row).0, pixel))?;
-            Some(sentence(&format!("compared with {name}"), misfits))
-        });
-        others.next()
-    })
+/// Which of `others` is found in place of the one expected, but for a tenth of the `strays`.
+fn hint(found: &RgbImage, others: &[(&str, RgbImage)], strays: usize) -> Option<String> {
+    let same_size = others.iter().filter(|(_, other)| other.dimensions() == found.dimensions());
+    let mut matches = same_size.filter_map(|(name, other)| {
+        let pixels = other.pixels().zip(found.pixels());
+        let misfits = pixels.filter(|(a, b)| off(a.0, b.0) > TOLERANCE).count();
+        let matches = format!("compared with {name} it would match");
+        match misfits {
+            0 => Some(matches),
+            1 if strays >= 10 => Some(matches + " but for 1 pixel"),
+            _ if misfits <= strays / 10 => Some(format!("{matches} but for {misfits} pixels")),
+            _ => None,
+        }
+    });
+    matches.next()
 }
 
 impl fmt::Display for Comparison {

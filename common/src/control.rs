@@ -363,8 +363,13 @@ fn part(value: f32, range: &RangeInclusive<f32>) -> f32 {
     if part.is_nan() { 0.0 } else { part.clamp(0.0, 1.0) }
 }
 
+/// The number at `fraction` of `range`, in steps of a hundred-thousandth of its power of ten, so
+/// that what a slider gives can be read and typed.
 fn mix(fraction: f32, range: &RangeInclusive<f32>) -> f32 {
-    range.start() + fraction * (range.end() - range.start())
+    let span = range.end() - range.start();
+    let steps = 1e5 / 10_f64.powf(f64::from(span).log10().ceil());
+    let number = f64::from(range.start() + fraction * span);
+    ((number * steps).round() / steps) as f32
 }
 
 /// A number with at most four digits after the point and no zeros at its end; smaller ones with a

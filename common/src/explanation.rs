@@ -21,7 +21,12 @@ pub struct Explanation {
     /// What was told.
     pub sections: Vec<Section>,
     terms: Vec<(&'static str, Color)>,
+    slips: Vec<Slip>,
 }
+
+/// What hands back another value than the one told, given what was told before: to see where a
+/// mistake in one line leads. Others it hands back as they are.
+pub type Slip = fn(&Explanation, &'static str, Value) -> Value;
 
 /// A part of the algorithm.
 #[derive(Clone, Debug, PartialEq)]
@@ -112,6 +117,30 @@ impl From<(f32, f32)> for Value {
 impl From<Vec3> for Value {
     fn from(vector: Vec3) -> Self {
         Self::Vector(vector)
+    }
+}
+
+impl TryFrom<Value> for f32 {
+    type Error = Value;
+
+    fn try_from(value: Value) -> Result<Self, Value> {
+        if let Value::Number(number) = value { Ok(number) } else { Err(value) }
+    }
+}
+
+impl TryFrom<Value> for (f32, f32) {
+    type Error = Value;
+
+    fn try_from(value: Value) -> Result<Self, Value> {
+        if let Value::Pair(a, b) = value { Ok((a, b)) } else { Err(value) }
+    }
+}
+
+impl TryFrom<Value> for Vec3 {
+    type Error = Value;
+
+    fn try_from(value: Value) -> Result<Self, Value> {
+        if let Value::Vector(vector) = value { Ok(vector) } else { Err(value) }
     }
 }
 
@@ -206,7 +235,14 @@ impl fmt::Display for Value {
 impl Explanation {
     /// Nothing is told of `pixel` yet.
     pub fn new(pixel: Pixel) -> Self {
-        Self { pixel, color: Color::ZERO, sections: Vec::new(), terms: Vec::new() }
+        Self::mistaken(pixel, &[])
+    }
+
+    /// As [`new`](Self::new), but each value told is handed back as `slips` change it, one after the
+    /// other: the step goes on computing with that.
+    pub fn mistaken(pixel: Pixel, slips: &[Slip]) -> Self {
+        let (sections, terms, slips) = (Vec::new(), Vec::new(), slips.to_vec());
+        Self { pixel, color: Color::ZERO, sections, terms, slips }
     }
 
     /// That `color` is what the pixel shows; nothing more will be told.
@@ -243,6 +279,18 @@ impl Explanation {
         let value = value.into();
         self.last_group().lines.push(Line { equation, value, place });
     }
+
+    /// What is handed back for `value`.
+    fn altered<T>(&self, equation: &'static str, value: T) -> T
+    where
+        T: Copy + Into<Value> + TryFrom<Value>,
+    {
+        let alter = |value, slip: &Slip| slip(self, equation, value);
+        let altered = (!self.slips.is_empty())
+            .then(|| self.slips.iter().fold(value.into(), alter))
+            .and_then(|altered| altered.try_into().ok());
+        altered.unwrap_or(value)
+    }
 }
 
 impl Line {
@@ -272,7 +320,11 @@ impl Listener for Explanation {
         self.last_section().groups.push(Group::new(name));
     }
 
-    fn line<T: Copy + Into<Value>>(&mut self, equation: &'static str, value: T) -> T {
+    fn line<T>(&mut self, equation: &'static str, value: T) -> T
+    where
+        T: Copy + Into<Value> + TryFrom<Value>,
+    {
+        let value = self.altered(equation, value);
         self.tell(equation, value, None);
         value
     }
@@ -295,20 +347,23 @@ impl Listener for Explanation {
             }
         }
         self.last_group().outcome = Outcome::Closest(t);
-        t
+        self.altered(symbol, t)
     }
 
     fn point(&mut self, equation: &'static str, at: Vec3) -> Vec3 {
+        let at = self.altered(equation, at);
         self.tell(equation, at, Some(Place::Point(at)));
         at
     }
 
     fn along(&mut self, equation: &'static str, ray: &Ray, t: f32) -> f32 {
+        let t = self.altered(equation, t);
         self.tell(equation, t, Some(Place::Along(*ray, t)));
         t
     }
 
     fn arrow(&mut self, equation: &'static str, from: Vec3, direction: Vec3) -> Vec3 {
+        let direction = self.altered(equation, direction);
         self.tell(equation, direction, Some(Place::Arrow(from, direction)));
         direction
     }
@@ -318,11 +373,13 @@ impl Listener for Explanation {
     }
 
     fn area(&mut self, equation: &'static str, corners: [Vec3; 3], weight: f32) -> f32 {
+        let weight = self.altered(equation, weight);
         self.tell(equation, weight, Some(Place::Area(corners)));
         weight
     }
 
     fn term(&mut self, equation: &'static str, light: Color) -> Color {
+        let light = self.altered(equation, light);
         self.tell(equation, light, None);
         let name = match self.last_group().name {
             "" => equation.split(" = ").next().unwrap_or(equation),
@@ -333,6 +390,7 @@ impl Listener for Explanation {
     }
 
     fn sum(&mut self, symbol: &'static str, total: Color) -> Color {
+        let total = self.altered(symbol, total);
         let terms = std::mem::take(&mut self.terms);
         let (shares, whole) = add_up(&terms, total);
         for ((name, _), share) in terms.into_iter().zip(shares) {
@@ -351,7 +409,7 @@ impl fmt::Display for Explanation {
             writeln!(f, "{}", section.name)?;
             for group in &section.groups {
                 match group.outcome {
-                    Outcome::Missed(why, condition) => {
+                    Outcome::Missed(why, condition) if !group.name.is_empty() => {
                         writeln!(f, "  {:<47} {why}: {condition}", group.name)?;
                         continue;
                     }

@@ -20,7 +20,10 @@ pub trait Listener {
 
     /// A symbol, or both sides of an equation, and its value.
     #[inline]
-    fn line<T: Copy + Into<Value>>(&mut self, _equation: &'static str, value: T) -> T {
+    fn line<T>(&mut self, _equation: &'static str, value: T) -> T
+    where
+        T: Copy + Into<Value> + TryFrom<Value>,
+    {
         value
     }
 

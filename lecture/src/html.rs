@@ -143,7 +143,7 @@ fn build(root: &Path) -> Result<PathBuf> {
         bail!("the steps do not build for a browser");
     }
     let messages = String::from_utf8_lossy(&built.stdout);
-    let file = messages.split('"').filter(|word| word.ends_with("lecture.wasm")).next_back();
+    let file = messages.split('"').rfind(|word| word.ends_with("lecture.wasm"));
     Ok(PathBuf::from(file.context("cargo does not say what it built")?))
 }
 

@@ -19,6 +19,7 @@ use image::ImageFormat;
 use image::RgbImage;
 use strsim::damerau_levenshtein;
 
+use super::check;
 use super::file;
 use super::progress::Progress;
 use super::window;
@@ -26,7 +27,9 @@ use crate::Canvas;
 use crate::Comparison;
 use crate::Frame;
 use crate::KEYS;
+use crate::Mistake;
 use crate::Outside;
+use crate::Pair;
 use crate::Pixel;
 use crate::Program;
 use crate::Session;
@@ -66,6 +69,15 @@ pub(crate) fn run(program: &Program) -> ExitCode {
     let mut setup = Setup::new(program.make.clone());
     if let Err(error) = check_loop(setup.step()) {
         return status(Err(anyhow!(error)));
+    }
+    if matches.get_flag("cases") {
+        return status(check::serve(&program.make).map(|()| true));
+    }
+    if let Some(other) = matches.get_one::<String>("check") {
+        if let Err(message) = check::is_step(other) {
+            return usage(&message);
+        }
+        return status(check::check(program, other, matches.get_one::<PathBuf>("output")));
     }
     if let Err(message) = set(&matches, &mut setup) {
         return usage(&message);
@@ -161,6 +173,12 @@ fn command(program: &Program) -> Command {
                 .conflicts_with("compare"),
         )
         .arg(file("compare").value_parser(PathBufValueParser::new()).conflicts_with("pixel"))
+        .arg(
+            option("check", "STEP")
+                .conflicts_with_all(["size", "camera", "set", "samples", "pixel", "compare"]),
+        )
+        // For --check of another step: it asks for pictures on standard input.
+        .arg(Arg::new("cases").long("cases").action(ArgAction::SetTrue).hide(true))
 }
 
 /// What clap has to say, in one line.
@@ -250,6 +268,9 @@ Options:
                           outside.azimuth, outside.elevation and outside.distance
       --compare FILE      render, say how far FILE is from it and where; exit 1 if they differ;
                           with -o, write expected, found and difference side by side
+      --check STEP        is STEP's program now this one? compares many pictures, names the
+                          mistake; expected, found and difference go to check.png, or to -o;
+                          exit 1 if they differ; of this step itself, it checks the pixel loop
   -h, --help              this text
 
 Controls (default):
@@ -297,7 +318,15 @@ impl Job<'_> {
         }
         let (expected, time) = self.render();
         let comparison = Comparison::new(&expected, &found, &[]);
-        print(&format!("{}: {comparison}\n", file.display()))?;
+        let mut text = format!("{}: {comparison}\n", file.display());
+        if matches!(comparison, Comparison::Different(_)) {
+            let camera = self.setup.view().camera(size.aspect());
+            let (step, samples) = (self.setup.step(), self.samples);
+            let frame = Frame { step, camera: &*camera, size: *size, samples };
+            let pair = Pair { frame, expected: &expected, found: &found };
+            text += &check::said_of(&Mistake::named(&[pair]));
+        }
+        print(&text)?;
         let mut done = format!("{size} rendered in {time} ms, compared with {}", file.display());
         if let Some(path) = output {
             file::save_png(&side_by_side(&expected, &found), path)?;

@@ -1,5 +1,6 @@
 //! What needs a desktop: the command line, files and the window.
 
+mod check;
 mod command_line;
 mod drawing;
 mod file;

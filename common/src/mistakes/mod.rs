@@ -1,0 +1,193 @@
+mod known;
+
+use std::fmt;
+
+use image::Rgb;
+use image::RgbImage;
+
+use crate::Camera;
+use crate::Color;
+use crate::Explanation;
+use crate::Frame;
+use crate::Outcome;
+use crate::Pixel;
+use crate::Place;
+use crate::Ray;
+use crate::Slip;
+use crate::Step;
+use crate::TOLERANCE;
+use crate::compare::off;
+use crate::encode;
+use known::CENTER;
+use known::VISIBLE;
+
+/// A mistake that the lecture knows: what is wrong, and where to look.
+///
+/// Since the functions that draw are the functions that tell, and go on with the value that telling
+/// hands back, the picture that a mistake gives is the step's own with another value handed back.
+#[derive(Debug)]
+pub struct Mistake {
+    /// What is wrong, as a sentence without its full stop.
+    pub what: &'static str,
+    /// The slide that has it right.
+    pub slide: &'static str,
+    /// Where to look.
+    pub place: &'static str,
+    kind: Kind,
+}
+
+#[derive(Debug)]
+enum Kind {
+    /// A value told is another.
+    Told(Slip),
+    /// A light is blocked by what is between these t of the shadow ray, whose length is given.
+    Blocked(fn(f32) -> (f32, f32)),
+    /// The radiance, linear, is put otherwise into a pixel: 0 to 1.
+    Encoded(fn(Color) -> Color),
+}
+
+/// Two pictures that should be equal, and how the one expected was made.
+pub struct Pair<'a> {
+    /// What was expected.
+    pub frame: Frame<'a>,
+    /// Its picture.
+    pub expected: &'a RgbImage,
+    /// The other picture, of the same size.
+    pub found: &'a RgbImage,
+}
+
+impl fmt::Display for Mistake {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { what, slide, place, .. } = self;
+        write!(f, "{what}. Slide «{slide}», {place}")
+    }
+}
+
+impl Mistake {
+    /// All that are known.
+    pub const ALL: &'static [Self] = known::ALL;
+
+    /// The mistake that explains how the pictures found differ: nine in ten of the pixels that do,
+    /// nearly all of those that do not, and more than any other; two if either may be it. None when
+    /// unsure.
+    pub fn named(pairs: &[Pair<'_>]) -> Vec<&'static Self> {
+        let differing = sample(pairs, 600, |off| off > TOLERANCE);
+        let equal = sample(pairs, 400, |off| off <= TOLERANCE);
+        if differing.len() < 4 {
+            return Vec::new();
+        }
+        let misfits = |mistake: &'static Self| {
+            let fits = |&(pair, col, row): &(&Pair<'_>, u32, u32)| {
+                let pixel = mistake.pixel(&pair.frame, col, row);
+                off(pixel, pair.found.get_pixel(col, row).0) <= TOLERANCE
+            };
+            let count = |places: &[(&Pair<'_>, u32, u32)], most: usize| {
+                let misfits = places.iter().filter(|place| !fits(place)).take(most + 1).count();
+                (misfits <= most).then_some(misfits)
+            };
+            Some(count(&differing, differing.len() / 10)? + count(&equal, equal.len() / 50)?)
+        };
+        let mut known: Vec<_> =
+            Self::ALL.iter().filter_map(|mistake| Some((misfits(mistake)?, mistake))).collect();
+        known.sort_by_key(|(misfits, _)| *misfits);
+        let best = known.first().map_or(0, |(misfits, _)| *misfits) + differing.len() / 100;
+        let known = known.into_iter().filter(|(misfits, _)| *misfits <= best);
+        let mut known: Vec<&Self> = known.map(|(_, mistake)| mistake).collect();
+        known.dedup_by_key(|mistake| mistake.what);
+        if known.len() > 2 { Vec::new() } else { known }
+    }
+
+    /// What the pixel (col, row) of `frame` is with this mistake.
+    pub fn pixel(&self, frame: &Frame<'_>, col: u32, row: u32) -> [u8; 3] {
+        let n = frame.samples;
+        let (width, height) = (n * frame.size.width(), n * frame.size.height());
+        let mut sum = Color::ZERO;
+        for index in 0..n * n {
+            let (col, row) = (n * col as usize + index % n, n * row as usize + index / n);
+            let pixel = Pixel { col, row, width, height };
+            sum += self.color(frame.step, frame.camera, pixel);
+        }
+        let color = sum / (n * n) as f32;
+        match self.kind {
+            Kind::Encoded(encoding) => {
+                encoding(color.clamp(Color::ZERO, Color::ONE)).to_array().map(byte)
+            }
+            _ => encode(color),
+        }
+    }
+
+    /// The radiance of `pixel` with this mistake, unless it is one of encoding.
+    fn color(&self, step: &dyn Step, camera: &dyn Camera, pixel: Pixel) -> Color {
+        let tell = |slips: &[Slip]| {
+            let mut said = Explanation::mistaken(pixel, slips);
+            let color = step.tell(camera, pixel, &mut said);
+            (said, color)
+        };
+        match self.kind {
+            Kind::Told(slip) => tell(&[CENTER, slip]).1,
+            Kind::Encoded(_) => tell(&[CENTER]).1,
+            Kind::Blocked(range) => {
+                let (said, mut color) = tell(&[CENTER, VISIBLE]);
+                for group in said.sections.iter().flat_map(|section| &section.groups) {
+                    let ray = group.lines.iter().find_map(|line| match line.place {
+                        Some(Place::Ray(ray, _)) if line.equation != "d" => Some(ray),
+                        _ => None,
+                    });
+                    let Some((ray, light)) = ray.zip(group.lines.last()) else { continue };
+                    let (from, to) = range(ray.direction.length());
+                    let ahead = Ray::new(ray.at(from), ray.direction);
+                    if first_hit(step, ahead, pixel).is_some_and(|t| t + from < to) {
+                        color -= Color::try_from(light.value).unwrap_or(Color::ZERO);
+                    }
+                }
+                color
+            }
+        }
+    }
+}
+
+/// The picture of `frame` with one ray a pixel, through its centre whatever the pixel loop says.
+pub fn centered(frame: &Frame<'_>) -> RgbImage {
+    let (width, height) = (frame.size.width(), frame.size.height());
+    RgbImage::from_fn(width as u32, height as u32, |col, row| {
+        let pixel = Pixel { col: col as usize, row: row as usize, width, height };
+        let mut said = Explanation::mistaken(pixel, &[CENTER]);
+        Rgb(encode(frame.step.tell(frame.camera, pixel, &mut said)))
+    })
+}
+
+/// The t of the first hit along `ray`.
+fn first_hit(step: &dyn Step, ray: Ray, pixel: Pixel) -> Option<f32> {
+    struct Along(Ray);
+
+    impl Camera for Along {
+        fn generate_ray(&self, _u: f32, _v: f32) -> Ray {
+            self.0
+        }
+    }
+
+    let said = step.explain(&Along(ray), pixel);
+    said.sections.iter().flat_map(|section| &section.groups).find_map(|group| match group.outcome {
+        Outcome::Closest(t) => Some(t),
+        _ => None,
+    })
+}
+
+fn byte(value: f32) -> u8 {
+    (255.0 * value).round() as u8
+}
+
+/// About `most` of the places where the pictures are so far off, evenly from all of them.
+fn sample<'a>(
+    pairs: &'a [Pair<'a>], most: usize, is_it: impl Fn(u8) -> bool,
+) -> Vec<(&'a Pair<'a>, u32, u32)> {
+    let places = || {
+        pairs.iter().flat_map(|pair| {
+            let pixels = pair.expected.enumerate_pixels().zip(pair.found.pixels());
+            let off = pixels.filter(|((_, _, a), b)| is_it(off(a.0, b.0)));
+            off.map(move |((col, row, _), _)| (pair, col, row))
+        })
+    };
+    let stride = (places().count() / most).max(1);
+    places().step_by(stride).collect()
+}
