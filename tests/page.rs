@@ -232,6 +232,28 @@ fn a_click_pins_a_pixel_and_its_numbers_are_the_programs() {
 
 #[test]
 #[ignore = "needs Chromium and the wasm target"]
+fn each_symbol_of_an_equation_has_its_number() {
+    let browser = Browser::new(1280, 800);
+    for program in PROGRAMS {
+        for language in ["en", "pt-BR"] {
+            show(&browser, &format!("#{}&pixel=480,300", &program.name[..6]));
+            browser.run(&format!("language = '{language}'; translate()"));
+            let symbols = "[...$('formula').querySelectorAll('[data-symbol]')]";
+            let empty = browser.run(&format!(
+                "return {symbols}.filter((at) => !/^[-−]?[0-9]/.test(at.textContent)).map((at) => at.dataset.symbol)"
+            ));
+            // It is Phong's, whose form is another.
+            let expected =
+                if program.name == "step07_specular" { json!(["v_r·v"]) } else { json!([]) };
+            assert_eq!(empty, expected, "{} {language}", program.name);
+            assert!(browser.run(&format!("return {symbols}.length")).as_u64() > Some(0));
+        }
+    }
+    quiet(&browser);
+}
+
+#[test]
+#[ignore = "needs Chromium and the wasm target"]
 fn a_mouse_turns_the_camera_and_moves_a_light_and_fingers_zoom() {
     let browser = opened(1280, 800, "#step05");
     let (azimuth, distance) = (number(&browser, "azimuth"), number(&browser, "distance"));

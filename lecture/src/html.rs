@@ -84,9 +84,10 @@ fn article(handout: &Handout, number: &str, language: &str, difference: &str) ->
         };
         let heading = escape(&section.heading);
         // The symbols are folded, so that the equation has room beside the picture.
-        let text = match section.html.split_once("<table>") {
+        let text = match section.html.split_once(handout::TABLE) {
             Some((equation, table)) if class == "equation" => format!(
-                "{equation}<details><summary data-text=\"symbols\"></summary><table>{table}</details>"
+                "{equation}<details><summary data-text=\"symbols\"></summary>{TABLE}{table}</details>",
+                TABLE = handout::TABLE,
             ),
             _ => section.html.clone(),
         };
