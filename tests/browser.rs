@@ -16,7 +16,7 @@ use serde_json::Value;
 use serde_json::json;
 
 /// Chromium, and the program that drives it.
-pub struct Browser {
+pub(crate) struct Browser {
     driver: Child,
     port: u16,
     session: String,
@@ -24,7 +24,7 @@ pub struct Browser {
 
 impl Browser {
     /// A browser whose window is so large, in CSS pixels.
-    pub fn new(width: u32, height: u32) -> Self {
+    pub(crate) fn new(width: u32, height: u32) -> Self {
         let mut driver = Command::new("chromedriver")
             .arg("--port=0")
             .stdout(Stdio::piped())
@@ -34,7 +34,9 @@ impl Browser {
         let lines = BufReader::new(driver.stdout.take().expect("it is piped")).lines();
         let port = lines
             .map_while(Result::ok)
-            .find_map(|line| line.split("successfully on port ").nth(1)?.trim_end_matches('.').parse().ok())
+            .find_map(|line| {
+                line.split("successfully on port ").nth(1)?.trim_end_matches('.').parse().ok()
+            })
             .expect("chromedriver says its port");
         let mut browser = Self { driver, port, session: String::new() };
         // Whoever is root has no sandbox; what is opened is our own.
@@ -84,64 +86,64 @@ impl Browser {
     }
 
     /// What only Chromium's own protocol can do.
-    pub fn tell(&self, command: &str, parameters: &Value) {
+    pub(crate) fn tell(&self, command: &str, parameters: &Value) {
         self.post("/goog/cdp/execute", &json!({"cmd": command, "params": parameters}));
     }
 
     /// Makes the window so large, in CSS pixels.
-    pub fn resize(&self, width: u32, height: u32) {
+    pub(crate) fn resize(&self, width: u32, height: u32) {
         let metrics = json!({"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 500});
         self.tell("Emulation.setDeviceMetricsOverride", &metrics);
     }
 
     /// Runs `script` in every page that is opened from now on, before the page's own.
-    pub fn before_each_page(&self, script: &str) {
+    pub(crate) fn before_each_page(&self, script: &str) {
         self.tell("Page.addScriptToEvaluateOnNewDocument", &json!({"source": script}));
     }
 
     /// Opens an address anew, also when only its end differs.
-    pub fn open(&self, address: &str) {
+    pub(crate) fn open(&self, address: &str) {
         self.post("/url", &json!({"url": "about:blank"}));
         self.post("/url", &json!({"url": address}));
     }
 
     /// What `script` returns.
-    pub fn run(&self, script: &str) -> Value {
+    pub(crate) fn run(&self, script: &str) -> Value {
         self.post("/execute/sync", &json!({"script": script, "args": []}))
     }
 
     /// What `script` hands to `done`.
-    pub fn wait_for(&self, script: &str) -> Value {
+    pub(crate) fn wait_for(&self, script: &str) -> Value {
         let script = format!("const done = arguments[0]; {script}");
         self.post("/execute/async", &json!({"script": script, "args": []}))
     }
 
     /// The text that `script` returns.
-    pub fn text(&self, script: &str) -> String {
+    pub(crate) fn text(&self, script: &str) -> String {
         text(&self.run(script))
     }
 
     /// Hands on the pointer or keyboard: see `Actions` of the WebDriver standard.
-    pub fn act(&self, actions: &Value) {
+    pub(crate) fn act(&self, actions: &Value) {
         self.post("/actions", &json!({"actions": actions}));
     }
 
     /// Presses a key and lets it go; named keys are the standard's private characters.
-    pub fn key(&self, key: &str) {
+    pub(crate) fn key(&self, key: &str) {
         let keys =
             [json!({"type": "keyDown", "value": key}), json!({"type": "keyUp", "value": key})];
         self.act(&json!([{"type": "key", "id": "keyboard", "actions": keys}]));
     }
 
     /// What the page's script drew on the canvas `id`.
-    pub fn canvas(&self, id: &str) -> RgbImage {
+    pub(crate) fn canvas(&self, id: &str) -> RgbImage {
         let address = self.text(&format!("return $('{id}').toDataURL('image/png')"));
         let png = STANDARD.decode(address.split_once(',').expect("a data address").1);
         image::load_from_memory(&png.expect("base64")).expect("a PNG").to_rgb8()
     }
 
     /// What is in the console, of errors and warnings.
-    pub fn complaints(&self) -> Vec<String> {
+    pub(crate) fn complaints(&self) -> Vec<String> {
         let log = self.post("/se/log", &json!({"type": "browser"}));
         log.as_array().into_iter().flatten().map(Value::to_string).collect()
     }

@@ -169,8 +169,12 @@ fn each_control_moves_the_picture() {
     }
     // A direction knows no distance, a sphere at the target looks alike from everywhere, and so does
     // a triangle in the target's plane with both cameras.
-    let expected =
-        ["step01_rays distance", "step02_sphere azimuth", "step02_sphere elevation", "step03_triangle camera"];
+    let expected = [
+        "step01_rays distance",
+        "step02_sphere azimuth",
+        "step02_sphere elevation",
+        "step03_triangle camera",
+    ];
     assert_eq!(still, expected);
     quiet(&browser);
 }
@@ -228,6 +232,28 @@ fn a_click_pins_a_pixel_and_its_numbers_are_the_programs() {
 
 #[test]
 #[ignore = "needs Chromium and the wasm target"]
+fn each_symbol_of_an_equation_has_its_number() {
+    let browser = Browser::new(1280, 800);
+    for program in PROGRAMS {
+        for language in ["en", "pt-BR"] {
+            show(&browser, &format!("#{}&pixel=480,300", &program.name[..6]));
+            browser.run(&format!("language = '{language}'; translate()"));
+            let symbols = "[...$('formula').querySelectorAll('[data-symbol]')]";
+            let empty = browser.run(&format!(
+                "return {symbols}.filter((at) => !/^[-−]?[0-9]/.test(at.textContent)).map((at) => at.dataset.symbol)"
+            ));
+            // It is Phong's, whose form is another.
+            let expected =
+                if program.name == "step07_specular" { json!(["v_r·v"]) } else { json!([]) };
+            assert_eq!(empty, expected, "{} {language}", program.name);
+            assert!(browser.run(&format!("return {symbols}.length")).as_u64() > Some(0));
+        }
+    }
+    quiet(&browser);
+}
+
+#[test]
+#[ignore = "needs Chromium and the wasm target"]
 fn a_mouse_turns_the_camera_and_moves_a_light_and_fingers_zoom() {
     let browser = opened(1280, 800, "#step05");
     let (azimuth, distance) = (number(&browser, "azimuth"), number(&browser, "distance"));
@@ -273,7 +299,15 @@ fn a_link_shows_the_same_again() {
     browser.wait_for(DRAWN);
     assert!(seen(&browser) == before, "{link} shows something else");
     let command = browser.text("$('command').click(); return $('notice').textContent");
-    assert!(["cargo run -p step06_shadows -- --set ", " --set epsilon=0 --set sphere=blue --set radius=0.86 --outside "].iter().all(|part| command.contains(part)), "{command}");
+    assert!(
+        [
+            "cargo run -p step06_shadows -- --set ",
+            " --set epsilon=0 --set sphere=blue --set radius=0.86 --outside "
+        ]
+        .iter()
+        .all(|part| command.contains(part)),
+        "{command}"
+    );
     quiet(&browser);
 }
 

@@ -493,10 +493,10 @@ function fillEquation(parts) {
     if (kind === "section") { section += 1; group = ""; }
     else if (kind === "group") group = rest[1] === "1" ? rest[0] : null;
     if (kind !== "line" || group === null) continue;
-    const [, names, , ...numbers] = rest;
+    const [equation, names, , ...numbers] = rest;
     const parts = names.replace(/^\(|\)$/g, "").split(", ");
     const each = parts.length === numbers.length && parts.length > 1 && !parts.some((part) => part.includes(" "));
-    (each ? parts : [names]).forEach((name, place) => {
+    (each ? parts : [names, equation.split(" = ").pop()]).forEach((name, place) => {
       if (!symbols.has(name)) return;
       const value = each ? [numbers[place]] : numbers;
       if (group && group !== "sum" && section > 2) {

@@ -8,13 +8,13 @@ use pulldown_latex::push_mathml;
 
 use crate::handout::escape;
 
-/// What stands in an equation, and the symbol under which a step tells its value; one that ends in
-/// `=` is meant only where it is given its value. Of two that begin alike the longer one is first.
+/// What stands in an equation, and the symbol or right side that a step tells with its value; one
+/// that ends in `=` is meant only where it is given its value. Of two that begin alike the longer one is first.
 const SYMBOLS: [(&str, &str); 30] = [
     (r"\max(0, \mathbf{n}\cdot\mathbf{h}_i)^{p}", "max(0, cos α)^p"),
     (r"\mathbf{n}\cdot\mathbf{l}_i", "n·l"),
     (r"\mathbf{n}\cdot\mathbf{l}", "n·l"),
-    (r"\mathbf{v}_r\cdot\mathbf{v}", "cos α"),
+    (r"\mathbf{v}_r\cdot\mathbf{v}", "v_r·v"),
     (r"\frac{I_i}{r_i^2}", "I/r²"),
     (r"\frac{I}{r^2}", "I/r²"),
     (r"\mathbf{p}", "p"),

@@ -35,6 +35,9 @@ pub(crate) struct Section {
 const SHOWN_ALREADY: [&str; 4] =
     ["Before and after", "Antes e depois", "The slides' figures", "As figuras dos slides"];
 
+/// What is around a table, which may be wider than a phone.
+pub(crate) const TABLE: &str = "<div class=\"wide\" tabindex=\"0\" role=\"group\">";
+
 /// `text` as it is written in HTML, between tags or in quotes.
 pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
@@ -77,7 +80,7 @@ fn finish(handout: &mut Handout, heading: Option<String>, mut part: Vec<Event<'_
         let Event::Start(Tag::Link { dest_url, .. }) = event else { return false };
         dest_url.starts_with("README") || dest_url.starts_with("../README")
     };
-    while let Some(way) = part.iter().position(is_way) {
+    while let Some(way) = part.iter().position(is_way).filter(|_| heading.is_none()) {
         let start = part[..way].iter().rposition(|event| *event == Event::Start(Tag::Paragraph));
         let end = part[way..].iter().position(|event| *event == Event::End(TagEnd::Paragraph));
         part.drain(start.unwrap_or(way)..=way + end.unwrap_or(0));
@@ -95,7 +98,7 @@ fn finish(handout: &mut Handout, heading: Option<String>, mut part: Vec<Event<'_
 fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str) -> Vec<Event<'a>> {
     let number = &name[..6];
     let mut events: Vec<Event<'a>> = Vec::new();
-    let (mut links, mut image, mut difference) = (Vec::new(), false, None);
+    let (mut links, mut image, mut code) = (Vec::new(), false, None);
     for event in part {
         match event {
             Event::Start(Tag::Image { .. }) => image = true,
@@ -115,17 +118,29 @@ fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str) -> Vec<Event<'a>> {
                 }
                 None => events.push(Event::Code(code)),
             },
-            Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(language)))
-                if &*language == "diff" =>
-            {
-                difference = Some(String::new());
+            Event::Start(Tag::CodeBlock(kind)) => {
+                let is_diff =
+                    matches!(kind, CodeBlockKind::Fenced(language) if &*language == "diff");
+                code = Some((is_diff, String::new()));
             }
-            Event::Text(text) if difference.is_some() => {
-                difference.iter_mut().for_each(|difference| difference.push_str(&text));
+            Event::Text(text) if code.is_some() => {
+                code.iter_mut().for_each(|(_, code)| code.push_str(&text));
             }
-            Event::End(TagEnd::CodeBlock) if difference.is_some() => {
-                let lines = difference.take().unwrap_or_default();
-                events.push(Event::Html(coloured(lines.lines()).into()));
+            Event::End(TagEnd::CodeBlock) => {
+                let html = match code.take() {
+                    Some((true, code)) => coloured(code.lines()),
+                    Some((_, code)) => format!("<pre tabindex=\"0\">{}</pre>", escape(&code)),
+                    None => String::new(),
+                };
+                events.push(Event::Html(html.into()));
+            }
+            Event::Start(Tag::Table(alignments)) => {
+                events.push(Event::Html(TABLE.into()));
+                events.push(Event::Start(Tag::Table(alignments)));
+            }
+            Event::End(TagEnd::Table) => {
+                events.push(Event::End(TagEnd::Table));
+                events.push(Event::Html("</div>".into()));
             }
             Event::Start(Tag::Link { dest_url, .. }) => {
                 let step = dest_url.strip_prefix("../step").and_then(|rest| rest.get(..2));

@@ -84,9 +84,10 @@ fn article(handout: &Handout, number: &str, language: &str, difference: &str) ->
         };
         let heading = escape(&section.heading);
         // The symbols are folded, so that the equation has room beside the picture.
-        let text = match section.html.split_once("<table>") {
+        let text = match section.html.split_once(handout::TABLE) {
             Some((equation, table)) if class == "equation" => format!(
-                "{equation}<details><summary data-text=\"symbols\"></summary><table>{table}</details>"
+                "{equation}<details><summary data-text=\"symbols\"></summary>{TABLE}{table}</details>",
+                TABLE = handout::TABLE,
             ),
             _ => section.html.clone(),
         };
@@ -142,7 +143,7 @@ fn build(root: &Path) -> Result<PathBuf> {
         bail!("the steps do not build for a browser");
     }
     let messages = String::from_utf8_lossy(&built.stdout);
-    let file = messages.split('"').filter(|word| word.ends_with("lecture.wasm")).next_back();
+    let file = messages.split('"').rfind(|word| word.ends_with("lecture.wasm"));
     Ok(PathBuf::from(file.context("cargo does not say what it built")?))
 }
 

@@ -82,7 +82,7 @@ const VIEWS: &[(usize, usize, bool, &str)] = &[
     (160, 90, false, "sphere=green center.x=-0.9 center.z=0.7"),
     (160, 90, false, "light=key light.x=0.2 light.y=0.7 light.z=2.8"),
     (160, 90, false, "light=key light.x=0.5 light.y=1 light.z=-4 I=200"),
-    (160, 90, false, "light=key light.x=-3 light.y=0.3 light.z=0 shadows=off"),
+    (160, 90, false, "light=key light.x=-0.4 light.y=1.9 light.z=-3 shadows=off"),
 ];
 
 impl fmt::Display for Case {
@@ -311,7 +311,7 @@ pub(super) fn check(program: &Program, name: &str, output: Option<&PathBuf>) -> 
     let differing: Vec<_> = pairs.iter().filter(|(_, pair)| !compare(pair).is_equal()).collect();
     let lacking = match lacking.is_empty() {
         true => String::new(),
-        false => format!("; not compared, since {name} lacks the controls: {}", lacking.join(", ")),
+        false => format!("; what {name} cannot set is not compared: {}", lacking.join(", ")),
     };
     let Some((case, pair)) = differing.first() else {
         let done = match itself {

@@ -288,8 +288,6 @@ pub(super) const ALL: &[Mistake] = known! {
             told(|_, k_s_p: (f32, f32)| "k_s, p" => (k_s_p.0, 1.0));
     }
     "Reflexão", "shade in material.rs" {
-        "v_r has the wrong sign: it is 2 (n·l) n − l" =>
-            told(|said| "cos α =" => -v_r(said).dot(vector(said, "v")));
         "A light behind the surface has a highlight too: ask for n·l > 0" =>
             told(|_, n_dot_l: f32| "n·l" => n_dot_l.max(1e-9));
     }
