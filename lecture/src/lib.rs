@@ -5,11 +5,19 @@
 
 #[cfg(target_family = "wasm")]
 mod exports;
+#[cfg(feature = "desktop")]
+mod lesson;
 mod page;
 
-pub use page::Page;
+#[cfg(feature = "desktop")]
+use std::rc::Rc;
 
+#[cfg(feature = "desktop")]
+use common::Size;
 use common::Step;
+#[cfg(feature = "desktop")]
+use lesson::Lesson;
+pub use page::Page;
 
 /// A step as a program.
 #[derive(Clone, Copy, Debug)]
@@ -48,4 +56,17 @@ programs! {
     step05_diffuse include_str!("../../tests/diffs/step05_diffuse.diff"),
     step06_shadows include_str!("../../tests/diffs/step06_shadows.diff"),
     step07_specular include_str!("../../tests/diffs/step07_specular.diff")
+}
+
+/// The steps as programs of one window, with what their handouts say in short and their diffs.
+#[cfg(feature = "desktop")]
+pub fn programs() -> Vec<common::Program> {
+    let program = |step: Program| {
+        // They are shown as long as the window.
+        let Lesson { concept, slides, idea } = Lesson::read(step.handout);
+        let (concept, slides, idea) = (concept.leak(), slides.leak(), idea.leak());
+        let program = common::Program::new(step.name, concept, Size::DEFAULT, Rc::new(step.make));
+        common::Program { slides, diff: step.diff, idea, ..program }
+    };
+    PROGRAMS.map(program).to_vec()
 }
