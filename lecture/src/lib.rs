@@ -18,19 +18,34 @@ pub struct Program {
     pub name: &'static str,
     /// Makes the step as it starts.
     pub make: fn() -> Box<dyn Step>,
+    /// Its handout, in Markdown.
+    #[cfg(feature = "desktop")]
+    pub handout: &'static str,
+    /// Its diff to the step before; "" of the first.
+    #[cfg(feature = "desktop")]
+    pub diff: &'static str,
 }
 
-/// The steps, in the order of the lecture.
-pub const PROGRAMS: [Program; 7] = [
-    program::<step01_rays::Lesson>("step01_rays"),
-    program::<step02_sphere::Lesson>("step02_sphere"),
-    program::<step03_triangle::Lesson>("step03_triangle"),
-    program::<step04_scene::Lesson>("step04_scene"),
-    program::<step05_diffuse::Lesson>("step05_diffuse"),
-    program::<step06_shadows::Lesson>("step06_shadows"),
-    program::<step07_specular::Lesson>("step07_specular"),
-];
+macro_rules! programs {
+    ($($step:ident $diff:expr),*) => {
+        /// The steps, in the order of the lecture.
+        pub const PROGRAMS: [Program; [$(stringify!($step)),*].len()] = [$(Program {
+            name: stringify!($step),
+            make: || Box::new($step::Lesson::default()),
+            #[cfg(feature = "desktop")]
+            handout: include_str!(concat!("../../", stringify!($step), "/README.md")),
+            #[cfg(feature = "desktop")]
+            diff: $diff,
+        }),*];
+    };
+}
 
-const fn program<S: Step + Default + 'static>(name: &'static str) -> Program {
-    Program { name, make: || Box::new(S::default()) }
+programs! {
+    step01_rays "",
+    step02_sphere include_str!("../../tests/diffs/step02_sphere.diff"),
+    step03_triangle include_str!("../../tests/diffs/step03_triangle.diff"),
+    step04_scene include_str!("../../tests/diffs/step04_scene.diff"),
+    step05_diffuse include_str!("../../tests/diffs/step05_diffuse.diff"),
+    step06_shadows include_str!("../../tests/diffs/step06_shadows.diff"),
+    step07_specular include_str!("../../tests/diffs/step07_specular.diff")
 }

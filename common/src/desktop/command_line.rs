@@ -1,4 +1,5 @@
 use std::fmt::Write as _;
+use std::fs;
 use std::io;
 use std::io::Write as _;
 use std::path::Path;
@@ -24,10 +25,13 @@ use super::file;
 use super::progress::Progress;
 use super::window;
 use crate::Canvas;
+use crate::Compare;
 use crate::Comparison;
 use crate::Frame;
 use crate::KEYS;
+use crate::LECTURE_KEYS;
 use crate::Mistake;
+use crate::OUTSIDE;
 use crate::Outside;
 use crate::Pair;
 use crate::Pixel;
@@ -46,26 +50,45 @@ use crate::side_by_side;
 /// The most rays a pixel are this many squared.
 const MAX_SAMPLES: usize = 16;
 
-/// What is to be made, and how.
-pub(crate) struct Job<'a> {
-    pub(crate) program: &'a Program,
-    pub(crate) setup: Setup,
-    pub(crate) size: Size,
-    pub(crate) samples: usize,
-    /// The pixel whose rays and vectors are drawn over a written picture.
-    pub(crate) pixel: Option<Pixel>,
-    /// From where the camera is seen, if it is.
-    pub(crate) onlooker: Option<View>,
+/// What a command line starts: a step, or the lecture with all steps.
+pub(crate) struct Suite {
+    pub(crate) name: &'static str,
+    /// The line that says what it shows.
+    pub(crate) concept: &'static str,
+    /// At least one.
+    pub(crate) programs: Vec<Program>,
+    /// The web page with all steps, where there is one to be written.
+    pub(crate) page: Option<fn() -> Result<String>>,
 }
 
-pub(crate) fn run(program: &Program) -> ExitCode {
-    let matches = match command(program).try_get_matches() {
+/// What is to be made, and how.
+struct Job {
+    name: &'static str,
+    setup: Setup,
+    /// The step before, with the same changes, where it is compared with.
+    before: Option<(Setup, Compare)>,
+    size: Size,
+    samples: usize,
+    /// The pixel whose rays and vectors are drawn over a written picture.
+    pixel: Option<Pixel>,
+    /// From where the camera is seen, if it is.
+    onlooker: Option<View>,
+}
+
+pub(crate) fn run(suite: &Suite) -> ExitCode {
+    let matches = match command(suite).try_get_matches() {
         Ok(matches) => matches,
         Err(error) if error.kind() == ErrorKind::DisplayHelp => {
-            return status(print(&help(program)).map(|()| true));
+            return status(print(&help(suite)).map(|()| true));
         }
         Err(error) => return usage(&first_line(&error)),
     };
+    if let (Some(path), Some(page)) = (given::<PathBuf>(&matches, "page"), suite.page) {
+        return status(write_page(suite.name, &path, page).map(|()| true));
+    }
+    let name = suite.name;
+    let current = given::<usize>(&matches, "step").map_or(0, |step| step - 1);
+    let program = &suite.programs[current];
     let mut setup = Setup::new(program.make.clone());
     if let Err(error) = check_loop(setup.step()) {
         return status(Err(anyhow!(error)));
@@ -88,6 +111,15 @@ pub(crate) fn run(program: &Program) -> ExitCode {
         Ok(onlooker) => onlooker,
         Err(message) => return usage(&message),
     };
+    let compare = match (given(&matches, "divide"), given(&matches, "difference")) {
+        (Some(part), _) => Compare::Divided(part),
+        (None, Some(true)) => Compare::Difference,
+        _ => Compare::Off,
+    };
+    if compare != Compare::Off && current == 0 {
+        let last = suite.programs.len();
+        return usage(&format!("there is no step before step 1: compare --step 2 to {last}"));
+    }
     let output = matches.get_one::<PathBuf>("output");
     let mut pixel = None;
     if let Some((col, row)) = matches.get_one::<(usize, usize)>("pixel").copied() {
@@ -107,7 +139,11 @@ pub(crate) fn run(program: &Program) -> ExitCode {
         }
         pixel = Some(pinned);
     }
-    let mut job = Job { program, setup, size, samples, pixel, onlooker };
+    let before = match compare {
+        Compare::Off => None,
+        compare => Some((setup.carried_to(suite.programs[current - 1].make.clone()), compare)),
+    };
+    let mut job = Job { name, setup, before, size, samples, pixel, onlooker };
     if let Some(expected) = matches.get_one::<PathBuf>("compare") {
         if output.is_some_and(|output| file::is_same(output, expected)) {
             return usage("--output names the file to compare, which would be overwritten");
@@ -118,23 +154,36 @@ pub(crate) fn run(program: &Program) -> ExitCode {
         Some(path) => job.write(path),
         None => match window::Window::open(&program.title(), size) {
             Ok(window) => {
-                let session = Session::new(vec![program.clone()], 0, job.setup, size, samples);
-                return status(window.run(session, samples).map(|()| true));
+                let programs = suite.programs.clone();
+                let session = Session::new(programs, current, job.setup, size, samples);
+                return status(window.run(session.comparing(compare), samples).map(|()| true));
             }
             Err(error) => {
-                let path = PathBuf::from(format!("{}.png", program.name));
-                report(
-                    program.name,
-                    &format!("no window ({error}), so the picture goes to a file"),
-                );
-                job.write(&path)
+                report(name, &format!("no window ({error}), so the picture goes to a file"));
+                job.write(&PathBuf::from(format!("{name}.png")))
             }
         },
     };
     status(written.map(|()| true))
 }
 
-fn command(program: &Program) -> Command {
+/// The value of an option that not every command line has.
+fn given<T: Clone + Send + Sync + 'static>(matches: &ArgMatches, name: &str) -> Option<T> {
+    matches
+        .try_contains_id(name)
+        .is_ok_and(|given| given)
+        .then(|| matches.get_one::<T>(name).cloned())?
+}
+
+fn write_page(name: &str, path: &Path, page: fn() -> Result<String>) -> Result<()> {
+    file::check_destination(path)?;
+    let page = page()?;
+    fs::write(path, &page).with_context(|| format!("cannot write {}", path.display()))?;
+    report(name, &format!("{} kB, written to {}", page.len() / 1000, path.display()));
+    Ok(())
+}
+
+fn command(suite: &Suite) -> Command {
     let size = |text: &str| text.parse::<Size>().map_err(|error| error.to_string());
     let samples = |text: &str| match text.parse() {
         Ok(samples) if (1..=MAX_SAMPLES).contains(&samples) => Ok(samples),
@@ -154,11 +203,38 @@ fn command(program: &Program) -> Command {
         }
         _ => Ok(path),
     });
+    let last = suite.programs.len();
+    let step = move |text: &str| match text.parse::<usize>() {
+        Ok(step) if (1..=last).contains(&step) => Ok(step),
+        _ => Err(format!("it takes a whole number from 1 to {last}")),
+    };
+    let part = |text: &str| match text.parse::<f32>() {
+        Ok(part) if (0.0..=1.0).contains(&part) => Ok(part),
+        _ => Err("it takes a number from 0 to 1: how much of the width is the step before's"),
+    };
     let file = |name| Arg::new(name).long(name).value_name("FILE");
     // What begins with a hyphen is a value too: -5x3 is a size, if a wrong one.
     let option =
         |name, value| Arg::new(name).long(name).value_name(value).allow_hyphen_values(true);
-    Command::new(program.name)
+    let mut command = Command::new(suite.name);
+    if last > 1 {
+        let compared = ["compare", "check"];
+        command = command
+            .arg(option("step", "N").value_parser(step))
+            .arg(option("divide", "PART").value_parser(part).conflicts_with_all(compared))
+            .arg(
+                Arg::new("difference")
+                    .long("difference")
+                    .action(ArgAction::SetTrue)
+                    .conflicts_with_all(compared)
+                    .conflicts_with("divide"),
+            );
+    }
+    if suite.page.is_some() {
+        let page = file("page").value_parser(PathBufValueParser::new());
+        command = command.arg(page.exclusive(true));
+    }
+    command
         .arg(file("output").short('o').value_parser(png))
         .arg(option("size", "WxH").short('s').value_parser(size))
         .arg(option("camera", "KIND").value_parser(View::PROJECTIONS.map(|(name, _)| name)))
@@ -193,9 +269,6 @@ fn first_line(error: &clap::Error) -> String {
         .collect();
     message.join("; ")
 }
-
-/// What the names of the onlooker's controls begin with.
-const OUTSIDE: &str = "outside.";
 
 /// From where `--outside` sees the camera, with each `--set` of it.
 fn onlooker(matches: &ArgMatches, setup: &Setup) -> Result<Option<View>, String> {
@@ -247,8 +320,22 @@ fn unknown(name: &str, names: &[String]) -> String {
     format!("there is no control '{name}'{nearest}; there are {}", names.join(", "))
 }
 
-fn help(program: &Program) -> String {
-    let Program { name, concept, size, .. } = program;
+fn help(suite: &Suite) -> String {
+    let Suite { name, concept, programs, page } = suite;
+    let (size, last) = (programs[0].size, programs.len());
+    let mut lecture = String::new();
+    if last > 1 {
+        lecture = format!(
+            "
+      --step N            begin with that step (1; at most {last})
+      --divide PART       the step before left of PART of the width, such as 0.5
+      --difference        how far each pixel is from the step before's, times 8"
+        );
+    }
+    if page.is_some() {
+        lecture += "
+      --page FILE         write all steps as one web page, to be opened by a double click";
+    }
     let mut text = format!(
         "{name}: {concept}
 
@@ -270,43 +357,46 @@ Options:
                           with -o, write expected, found and difference side by side
       --check STEP        is STEP's program now this one? compares many pictures, names the
                           mistake; expected, found and difference go to check.png, or to -o;
-                          exit 1 if they differ; of this step itself, it checks the pixel loop
+                          exit 1 if they differ; of this step itself, it checks the pixel loop{lecture}
   -h, --help              this text
 
 Controls (default):
 ",
         View::PROJECTIONS.map(|(name, _)| name).join(" | ")
     );
-    for Setting { name, takes, text: value, .. } in Setup::new(program.make.clone()).list() {
-        // Writing to a string cannot fail.
-        let _ = writeln!(text, "  {name:<14} {takes} ({value})");
+    let mut listed: Vec<String> = Vec::new();
+    for setting in programs.iter().flat_map(|program| Setup::new(program.make.clone()).list()) {
+        let Setting { name, takes, text: value, .. } = setting;
+        if !listed.contains(&name) {
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "  {name:<14} {takes} ({value})");
+            listed.push(name);
+        }
     }
     text.push_str("\nIn the window:\n");
-    for (keys, effect) in KEYS {
+    let more = if last > 1 { LECTURE_KEYS } else { &[] };
+    for (keys, effect) in KEYS.iter().chain(more) {
         let _ = writeln!(text, "  {keys:<16} {effect}");
     }
     text
 }
 
-impl Job<'_> {
+impl Job {
     /// Writes the picture to the file `path`.
     fn write(&mut self, path: &Path) -> Result<()> {
-        let Self { program, size, .. } = *self;
+        let Self { name, size, .. } = *self;
         file::check_destination(path)?;
         let (mut picture, time) = self.render();
         self.draw(&mut picture);
         file::save_png(&picture, path)?;
-        report(
-            program.name,
-            &format!("{size} rendered in {time} ms, written to {}", path.display()),
-        );
+        report(name, &format!("{size} rendered in {time} ms, written to {}", path.display()));
         Ok(())
     }
 
     /// Prints how far the picture in `file` is from the one expected, and writes both and their
     /// difference to `output`; whether they are equal.
     fn compare(&self, file: &Path, output: Option<&PathBuf>) -> Result<bool> {
-        let Self { program, size, .. } = self;
+        let Self { name, size, .. } = self;
         let found = file::read_png(file)?;
         if let Some(path) = output {
             file::check_destination(path)?;
@@ -332,7 +422,7 @@ impl Job<'_> {
             file::save_png(&side_by_side(&expected, &found), path)?;
             let _ = write!(done, "; both and their difference written to {}", path.display());
         }
-        report(program.name, &done);
+        report(name, &done);
         Ok(comparison.is_equal())
     }
 
@@ -365,9 +455,17 @@ impl Job<'_> {
         let Self { size, samples, .. } = *self;
         let view = self.onlooker.as_ref().unwrap_or(self.setup.view());
         let camera = view.camera(size.aspect());
-        let frame = Frame { step: self.setup.step(), camera: &*camera, size, samples };
-        let progress = Progress::new(size.height());
-        let picture = frame.render_parallel(|rows| progress.add(rows));
+        let pictures = if self.before.is_some() { 2 } else { 1 };
+        let progress = Progress::new(pictures * size.height());
+        let render = |setup: &Setup| {
+            let frame = Frame { step: setup.step(), camera: &*camera, size, samples };
+            frame.render_parallel(|rows| progress.add(rows))
+        };
+        let this = render(&self.setup);
+        let picture = match &self.before {
+            Some((before, compare)) => compare.composed(&render(before), &this),
+            None => this,
+        };
         let milliseconds = progress.finish().as_secs_f64() * 1e3;
         (picture, format!("{milliseconds:.1}"))
     }

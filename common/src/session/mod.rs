@@ -1,5 +1,6 @@
 //! What a class does, whatever window it is done in.
 
+mod compare;
 mod event;
 mod layout;
 mod paint;
@@ -9,6 +10,7 @@ use std::mem;
 
 use crate::Area;
 use crate::Camera;
+use crate::Control;
 use crate::Explanation;
 use crate::Handle;
 use crate::Make;
@@ -20,6 +22,7 @@ use crate::Size;
 use crate::View;
 use crate::drag;
 use crate::handle_at;
+pub(crate) use compare::Compare;
 pub use event::Effect;
 pub use event::Event;
 pub use event::KEYS;
@@ -46,7 +49,8 @@ pub struct Program {
     pub slides: &'static str,
     /// Its diff to the step before; "" where there is none to be shown.
     pub diff: &'static str,
-    /// Its equation and idea in short; "" where there is none to be shown.
+    /// Its equation and idea in short, a paragraph a line, equations indented; "" where there is
+    /// none to be shown.
     pub idea: &'static str,
     /// Whether it is a step's figure, an example: its picture is first shown alone.
     pub is_figure: bool,
@@ -60,7 +64,9 @@ impl Program {
 
     /// What its window is called.
     pub fn title(&self) -> String {
-        format!("{}: {}", self.name, self.concept)
+        let Self { name, concept, slides, .. } = self;
+        let gap = if slides.is_empty() { "" } else { " · " };
+        format!("{name}: {concept}{gap}{slides}")
     }
 }
 
@@ -85,7 +91,7 @@ pub struct Session {
     programs: Vec<Program>,
     current: usize,
     setup: Setup,
-    /// The step before, with the same changes, while it is compared with.
+    /// The step before, if there is one, with the same changes.
     before: Option<Setup>,
     /// How large the picture is when it is saved; a pixel is one of these.
     picture: Size,
@@ -119,15 +125,6 @@ pub struct Session {
     effects: Vec<Effect>,
 }
 
-/// How the step before is compared with.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Compare {
-    Off,
-    /// Left of this part of the width is the step before.
-    Divided(f32),
-    Difference,
-}
-
 /// What is read in place of the pinned pixel's explanation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Reading {
@@ -153,6 +150,9 @@ enum Held {
     /// A part of the window without effect.
     Panel,
 }
+
+/// What the names of the onlooker's controls begin with on a command line.
+pub(crate) const OUTSIDE: &str = "outside.";
 
 /// How far the mouse may move during a click, of the window's height.
 const CLICK: f32 = 1.0 / 180.0;
@@ -204,7 +204,15 @@ impl Session {
             effects: Vec::new(),
         };
         session.select_first();
+        session.changed();
+        session.effects.clear();
         session
+    }
+
+    /// Starts by comparing with the step before.
+    pub(crate) fn comparing(mut self, compare: Compare) -> Self {
+        self.compare = compare;
+        self
     }
 
     /// The program that is shown.
@@ -240,9 +248,13 @@ impl Session {
 
     /// How the pinned pixel comes by its colour.
     pub fn explanation(&self) -> Option<Explanation> {
+        self.explanation_of(&self.setup)
+    }
+
+    fn explanation_of(&self, setup: &Setup) -> Option<Explanation> {
         let pixel = self.pinned()?;
-        let camera = self.setup.view().camera(self.picture.aspect());
-        Some(self.setup.step().explain(&*camera, pixel))
+        let camera = setup.view().camera(self.picture.aspect());
+        Some(setup.step().explain(&*camera, pixel))
     }
 
     /// What was said last, if nothing was done since.
@@ -264,8 +276,16 @@ impl Session {
     pub fn command(&self) -> String {
         let Program { name, size, is_figure, .. } = self.program();
         let kind = if *is_figure { "--example" } else { "-p" };
+        let compare = if self.before.is_some() { self.compare } else { Compare::Off };
+        let name = if compare == Compare::Off { name } else { "lecture" };
         let mut command = format!("cargo run {kind} {name}");
         let mut flags: Vec<String> = Vec::new();
+        let step = self.current + 1;
+        match compare {
+            Compare::Off => {}
+            Compare::Divided(part) => flags.push(format!("--step {step} --divide {part}")),
+            Compare::Difference => flags.push(format!("--step {step} --difference")),
+        }
         if self.picture != *size {
             flags.push(format!("--size {}", self.picture));
         }
@@ -273,6 +293,16 @@ impl Session {
             flags.push(format!("--samples {}", self.samples));
         }
         flags.extend(self.setup.settings().iter().map(|setting| format!("--set {setting}")));
+        if let Some(onlooker) = &self.onlooker {
+            flags.push(format!("-o {name}.png --outside"));
+            let mut start = Outside::onlooker(self.setup.view());
+            let start: Vec<String> = start.controls().iter().map(Control::exact).collect();
+            for (control, start) in onlooker.clone().controls().iter().zip(start) {
+                if control.exact() != start {
+                    flags.push(format!("--set {OUTSIDE}{}={}", control.name, control.exact()));
+                }
+            }
+        }
         if !flags.is_empty() {
             command.push_str(" -- ");
             command.push_str(&flags.join(" "));
@@ -355,13 +385,8 @@ impl Session {
 
     /// The picture is another one.
     fn changed(&mut self) {
-        let compared = self.holding || self.compare != Compare::Off;
-        self.before = match self.current.checked_sub(1) {
-            Some(before) if compared => {
-                Some(self.setup.carried_to(self.programs[before].make.clone()))
-            }
-            _ => None,
-        };
+        let before = self.current.checked_sub(1).map(|before| &self.programs[before]);
+        self.before = before.map(|before| self.setup.carried_to(before.make.clone()));
         self.ask(Effect::Redraw);
     }
 
