@@ -16,6 +16,7 @@ use crate::Handle;
 use crate::Make;
 use crate::Outside;
 use crate::Pixel;
+use crate::Section;
 use crate::Setup;
 use crate::Sight;
 use crate::Size;
@@ -584,15 +585,20 @@ impl Session {
         }
     }
 
-    /// Opens as many sections of the explanation as can be seen at once.
+    /// Opens as many sections of the explanation as can be seen at once, and the one before the
+    /// last in any case where the last says no more than a colour.
     fn unfold(&mut self) {
         self.folds.retain(|(fold, _)| matches!(fold, Fold::Controls(_)));
         let Some(explanation) = self.explanation() else {
             return;
         };
-        for section in explanation.sections.iter().rev().skip(1) {
+        let mut sections = explanation.sections.iter().rev();
+        let lines = |section: &Section| section.groups.iter().map(|group| group.lines.len()).sum();
+        let last: usize = sections.next().map_or(0, lines);
+        for (place, section) in sections.enumerate() {
             self.folds.push((Fold::Section(section.name), true));
-            if self.reading_panel().is_some_and(|panel| !panel.fits()) {
+            let wanted = place == 0 && last <= 1;
+            if !wanted && self.reading_panel().is_some_and(|panel| !panel.fits()) {
                 self.folds.pop();
             }
         }
