@@ -99,6 +99,7 @@ pub use session::Event;
 pub use session::KEYS;
 pub use session::Key;
 pub use session::LECTURE_KEYS;
+#[cfg(feature = "desktop")]
 pub(crate) use session::OUTSIDE;
 pub use session::Program;
 pub use session::Session;

@@ -211,6 +211,7 @@ impl Session {
     }
 
     /// Starts by comparing with the step before.
+    #[cfg(feature = "desktop")]
     pub(crate) fn comparing(mut self, compare: Compare) -> Self {
         self.compare = compare;
         self
