@@ -617,9 +617,9 @@ fn what_a_step_tells_anew_is_marked() {
         let image = paint(&mut session, size(960, 540));
         image.pixels().filter(|pixel| pixel.0 == [150, 225, 150]).count()
     };
-    for index in 0..STEPS.len() {
-        assert_eq!(marked(lecture(index)) > 100, index > 0, "{}", STEPS[index]);
-        assert_eq!(marked(crate::session(index)), 0, "{}", STEPS[index]);
+    for (index, name) in STEPS.iter().enumerate() {
+        assert_eq!(marked(lecture(index)) > 100, index > 0, "{name}");
+        assert_eq!(marked(crate::session(index)), 0, "{name}");
     }
 }
 
