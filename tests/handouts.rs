@@ -343,8 +343,6 @@ fn try_command(command: &str, folder: &Path) -> Result<(), String> {
     let words: Vec<&str> = command.split_whitespace().collect();
     let exists = |path: &str| root().join(path).exists();
     match words.as_slice() {
-        // What the page's own tests do, where there is a browser.
-        ["cargo", "run", "-p", "lecture", "--", "--page", _] => Ok(()),
         ["cargo", "run", "-p", package, rest @ ..] => {
             let (example, rest) = match rest {
                 ["--example", example, rest @ ..] => (Some(example), rest),
@@ -368,7 +366,7 @@ fn try_command(command: &str, folder: &Path) -> Result<(), String> {
                 _ => return Err("there is no such program".to_owned()),
             };
             match arguments {
-                // These would build inside of the tests.
+                // These would build inside of the tests; the page has its own.
                 ["--page", _] => Ok(()),
                 ["--check", before] => {
                     match STEPS.windows(2).any(|pair| pair == [*before, package]) {
