@@ -26,7 +26,7 @@ const MARGIN: f32 = 0.6;
 const INDENT: f32 = 0.95;
 const NUMBER: f32 = 5.0;
 const SIGN: f32 = 0.3;
-const NAME: f32 = 5.6;
+const NAME: f32 = 6.6;
 /// From this width on controls stand two in a row.
 const TWO: f32 = 24.0;
 /// Between the two.
@@ -241,7 +241,7 @@ impl Panel {
 
     fn slider(&self, row: usize) -> Area {
         let area = self.row_area(row);
-        let text = (NAME * self.em).min(0.36 * area.width);
+        let text = (NAME * self.em).min(0.39 * area.width);
         let width = area.width - 2.0 * text;
         let height = 0.26 * self.em;
         Area::new(area.left + text, area.top + (area.height - height) / 2.0, width, height)
@@ -314,10 +314,10 @@ impl Panel {
             }
             Row::Control(setting) => {
                 let slider = self.slider(row);
-                let name = slider.left - area.left - 0.7 * em;
+                let name = slider.left - area.left - 0.5 * em;
                 canvas.text_within(middle, Anchor::Left, em, TEXT, &setting.name, name);
                 let ink = if setting.changed { ACCENT } else { TEXT };
-                let value = area.right() - slider.right() - 0.7 * em;
+                let value = area.right() - slider.right() - 0.5 * em;
                 canvas.text_within(right, Anchor::Right, em, ink, &setting.text, value);
                 canvas.fill(slider, GROOVE);
                 let length = setting.fraction * slider.width;
