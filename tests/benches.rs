@@ -3,15 +3,24 @@
 //! Pictures have 1333 × 750 pixels, a million but for a few, so that a picture's milliseconds are
 //! a pixel's nanoseconds.
 
+use std::rc::Rc;
+
 use common::Color;
+use common::Event;
 use common::Frame;
+use common::Key;
+use common::Program;
 use common::Ray;
+use common::Session;
+use common::Setup;
 use common::Silent;
 use common::Size;
 use common::Vec3;
+use common::Wanted;
 use common::encode;
 use divan::Bencher;
 use divan::black_box;
+use image::RgbImage;
 use step07_specular::intersection::IntersectionRecord;
 use step07_specular::light::PointLight;
 use step07_specular::material::Material;
@@ -51,6 +60,37 @@ fn all_threads(bencher: Bencher<'_, '_>, step: &str) {
 #[divan::bench(args = [375, 750, 1500, 3000, 6000], sample_count = 3)]
 fn pixels(bencher: Bencher<'_, '_>, height: usize) {
     render(bencher, "step07_specular", height, true);
+}
+
+/// A frame of a drag, 960 × 540 pixels, rendered and painted: step 05, step 06, and both with a line
+/// between them, which should take no longer than the two together.
+#[divan::bench(args = ["05", "06", "05 | 06"], sample_count = 200)]
+fn dragged_frame(bencher: Bencher<'_, '_>, shown: &str) {
+    let current = if shown == "05" { 4 } else { 5 };
+    let program = |index| {
+        let make = Rc::new(move || tests::step(index));
+        Program::new(STEPS[index], "a concept", Size::DEFAULT, make)
+    };
+    let programs: Vec<Program> = (0..STEPS.len()).map(program).collect();
+    let setup = Setup::new(programs[current].make.clone());
+    let mut session = Session::new(programs, current, setup, Size::DEFAULT, 1);
+    session.handle(Event::Key(Key::Space, false));
+    if shown == "05 | 06" {
+        session.handle(Event::Key(Key::Char('D'), false));
+    }
+    session.handle(Event::Press(100.0, 100.0));
+    let mut window = RgbImage::new(960, 540);
+    let mut x = 100.0;
+    bencher.bench_local(|| {
+        x = if x < 200.0 { x + 20.0 } else { 120.0 };
+        session.handle(Event::Move(x, 100.0));
+        let render = |wanted: &Wanted<'_>| {
+            let (step, camera) = (wanted.setup.step(), &*wanted.camera);
+            Frame { step, camera, size: wanted.size, samples: 1 }.render_parallel(|_| ())
+        };
+        let pictures: Vec<RgbImage> = session.pictures().iter().map(render).collect();
+        session.paint(&mut window, &pictures.iter().collect::<Vec<_>>(), "");
+    });
 }
 
 /// Rays from the eye through a grid of 32 × 32 positions into `scene`.

@@ -17,8 +17,11 @@ use tests::step;
 const WIDTH: usize = 160;
 const HEIGHT: usize = 90;
 
+/// A step, one of its controls, and what has to be set first.
+type First = (&'static str, &'static str, &'static [(&'static str, &'static str)]);
+
 /// Where a control has to be tried with another one moved first, and why.
-const FIRST: [(&str, &str, &[(&str, &str)]); 4] = [
+const FIRST: [First; 4] = [
     // Moving straight back leaves all directions as they are, and the one origin of perspective
     // soon lies beyond the colours; a parallel view grows with the distance.
     ("step01_rays", "distance", &[("shown", "origin"), ("camera", "parallel")]),
@@ -274,8 +277,8 @@ fn fifty_nudges_are_the_whole_range() {
         for nudge in 1..=50 {
             control.nudge(1.0);
             let fraction = nudge as f32 / 50.0;
-            // Each nudge rounds a few times, to a last bit of at most 1.
-            let tolerance = nudge as f32 * 4.0 * f32::EPSILON;
+            // Each nudge gives a number of five digits.
+            let tolerance = nudge as f32 * 1e-5;
             assert!(control.fraction().difference(fraction) <= tolerance, "{nudge}: {control:?}");
         }
         for _ in 0..2 {

@@ -45,7 +45,7 @@ const RIGHT: &[(usize, &[Change])] = &[
     (3,
         &[("triangle.rs", "let alpha = say.area(\"α = 1 − β − γ\", [point, b, c], 1.0 - beta - gamma);", AREAS)]),
     (3,
-        &[("triangle.rs", "ray, d_t / determinant", "ray, self.normal.dot(a_minus_p) / self.normal.dot(d)")]),
+        &[("triangle.rs", "ray, det_t / det", "ray, self.normal.dot(a_minus_p) / self.normal.dot(d)")]),
     (4,
         &[("scene.rs", "let mut objects = vec![", "let mut objects: Vec<Object> = Vec::new(); let last = vec!["),
          ("scene.rs", "    objects.extend([face(0, 1), face(1, 2), face(2, 3), face(3, 0)]);", "    objects.extend([face(3, 0), face(0, 1), face(1, 2), face(2, 3)]); objects.extend(last);")]),
@@ -75,7 +75,7 @@ const RIGHT: &[(usize, &[Change])] = &[
 ];
 
 /// As on the slide: t counts from p.
-const NAIVE: Change = ("sphere.rs", ", -b / a)", ", 0.0)");
+const NAIVE: Change = ("sphere.rs", ", -b_0 / a)", ", 0.0)");
 
 /// Each weight the share of an area.
 const AREAS: &str = "
@@ -112,11 +112,13 @@ const WRONG: &[(usize, &[Change], &str)] = &[
     (2, &[("sphere.rs", "self.radius * self.radius", "self.radius")], "The radius is not squared"),
     (2, &[("sphere.rs", "ray.origin - self.center", "ray.origin")], "The sphere's centre"),
     (2, &[("sphere.rs", "if discriminant < 0.0", "if discriminant > 0.0")], ""),
-    (3, &[("triangle.rs", "[(self.alpha, \"α < 0\"), ", "[")], "α ≥ 0 is not asked"),
-    (3, &[("triangle.rs", "(self.beta, \"β < 0\"), ", "")], "β ≥ 0 is not asked"),
-    (3, &[("triangle.rs", ", (self.gamma, \"γ < 0\")]", "]")], "γ ≥ 0 is not asked"),
+    (3, &[("triangle.rs", "if alpha < 0.0", "if false")], "α ≥ 0 is not asked"),
+    (3, &[("triangle.rs", "if beta < 0.0", "if false")], "β ≥ 0 is not asked"),
+    (3, &[("triangle.rs", "if gamma < 0.0", "if false")], "γ ≥ 0 is not asked"),
     (3,
-        &[("triangle.rs", "*weight < 0.0", "*weight < f32::NEG_INFINITY")],
+        &[("triangle.rs", "if alpha < 0.0", "if false"),
+         ("triangle.rs", "if beta < 0.0", "if false"),
+         ("triangle.rs", "if gamma < 0.0", "if false")],
         "Whether the point is inside"),
     (3, &[("triangle.rs", "if !(t_min < t && t < t_max)", "if t.is_nan()")], "t > 0 is not asked"),
     (3,
@@ -168,7 +170,7 @@ const WRONG: &[(usize, &[Change], &str)] = &[
     (5,
         &[("material.rs", "i / r_squared", "i / (4.0 * std::f32::consts::PI * r_squared)")],
         "I is divided by 4π r²"),
-    (5, &[("scene.rs", "p(4.0, 6.0, 5.0), 42.0", "p(4.0, 6.0, -5.0), 42.0")], ""),
+    (5, &[("scene.rs", "at(4.0, 6.0, 5.0), 42.0", "at(4.0, 6.0, -5.0), 42.0")], ""),
     (6,
         &[("scene.rs", "say.term(\"L_a = k_a I_a\", k_a * i_a)", "Color::ZERO * k_a * i_a")],
         "The ambient term L_a is missing"),
@@ -397,13 +399,13 @@ fn each_mistake_is_told_from_all_others() {
         ["", "camera=parallel", "azimuth=60", "elevation=-20", "distance=0.1", "center.x=0.9"];
     let mut unnamed: Vec<&str> = Mistake::ALL.iter().map(|mistake| mistake.what).collect();
     unnamed.dedup();
-    for index in 0..STEPS.len() {
+    for (index, name) in STEPS.iter().enumerate() {
         let size = Size::new(48, 27).expect("a size");
         let setups = views.map(|view| {
             let mut setup = Setup::new(Rc::new(move || step(index)));
-            if let Some((name, value)) = view.split_once('=') {
+            if let Some((control, value)) = view.split_once('=') {
                 // Only some steps have a centre.
-                let _ = setup.set(name, value);
+                let _ = setup.set(control, value);
             }
             setup
         });
@@ -435,7 +437,7 @@ fn each_mistake_is_told_from_all_others() {
                 .collect();
             let said: Vec<&str> = Mistake::named(&pairs).iter().map(|named| named.what).collect();
             let is_it = said.is_empty() || said.contains(&mistake.what);
-            assert!(is_it, "{}: {}: {said:?}", STEPS[index], mistake.what);
+            assert!(is_it, "{}: {}: {said:?}", name, mistake.what);
             unnamed.retain(|what| !said.contains(what));
         }
     }

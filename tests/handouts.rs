@@ -357,11 +357,17 @@ fn try_command(command: &str, folder: &Path) -> Result<(), String> {
                 Some(example) if exists(&format!("{package}/examples/{example}.rs")) => {
                     format!("examples/{example}")
                 }
-                None if exists(&format!("{package}/main.rs")) => (*package).to_owned(),
+                None if ["main.rs", "src/main.rs"]
+                    .iter()
+                    .any(|main| exists(&format!("{package}/{main}"))) =>
+                {
+                    (*package).to_owned()
+                }
                 _ => return Err("there is no such program".to_owned()),
             };
             match arguments {
-                // It would build inside of the tests.
+                // These would build inside of the tests; the page has its own.
+                ["--page", _] => Ok(()),
                 ["--check", before] => {
                     match STEPS.windows(2).any(|pair| pair == [*before, package]) {
                         true => Ok(()),

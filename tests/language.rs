@@ -118,11 +118,13 @@ fn texts() -> BTreeSet<String> {
     texts.extend(keys.chain(mistakes).map(|text| (*text).to_owned()));
     // The group of the controls that every step has, and what is wrong with a file.
     texts.extend(["camera", "Format error decoding Png: Invalid PNG signature"].map(str::to_owned));
-    for (index, name) in STEPS.into_iter().enumerate() {
-        let folder = root().join(name);
-        let manifest = fs::read_to_string(folder.join("Cargo.toml")).expect("text");
+    for name in STEPS.into_iter().chain(["lecture"]) {
+        let manifest = fs::read_to_string(root().join(name).join("Cargo.toml")).expect("text");
         let description = manifest.lines().find_map(|line| line.strip_prefix("description = "));
         texts.insert(description.expect("a description").trim_matches('"').to_owned());
+    }
+    for (index, name) in STEPS.into_iter().enumerate() {
+        let folder = root().join(name);
         let sources = ["src", "examples"].map(|part| sources(&folder.join(part)));
         for (code, text) in sources.iter().flatten().flat_map(|source| literals(source)) {
             let calls = ["env!(", "told([", ".slider(", "symbol: &'static str = "];

@@ -610,6 +610,20 @@ fn the_lesson_is_read_beside_the_picture() {
 }
 
 #[test]
+fn what_a_step_tells_anew_is_marked() {
+    let marked = |mut session: Session| {
+        session.handle(Event::Resize(size(960, 540)));
+        click_middle(&mut session);
+        let image = paint(&mut session, size(960, 540));
+        image.pixels().filter(|pixel| pixel.0 == [150, 225, 150]).count()
+    };
+    for (index, name) in STEPS.iter().enumerate() {
+        assert_eq!(marked(lecture(index)) > 100, index > 0, "{name}");
+        assert_eq!(marked(crate::session(index)), 0, "{name}");
+    }
+}
+
+#[test]
 fn no_event_hurts_in_any_window() {
     let keys = "PVOCDX+-1237Z".chars().map(Key::Char);
     let keys: Vec<Key> = keys

@@ -295,14 +295,21 @@ impl Control<'_> {
 
     /// Takes the value at `fraction` of the range, 0 to 1; what lies outside is taken to its end.
     pub fn set_fraction(&mut self, fraction: f32) {
-        let fraction = if fraction.is_nan() { 0.0 } else { fraction.clamp(0.0, 1.0) };
+        // Keys meet the ends although what they add up to is rounded.
+        let fraction = match fraction {
+            near_end if near_end > 0.9999 => 1.0,
+            inside if inside > 0.0001 => inside,
+            _ => 0.0,
+        };
         match &mut self.kind {
-            Kind::Number(value, range) => **value = mix(fraction, range),
+            Kind::Number(value, range) => {
+                **value = typable(mix(fraction, range), range.end() - range.start());
+            }
             Kind::Brightness(color, range) => brighten(color, mix(fraction, range)),
             Kind::Logarithmic(value, range) => {
                 let low = lowest(range);
                 let number = mix(fraction, &(low.ln()..=range.end().ln())).exp();
-                let number = if fraction == 0.0 { *range.start() } else { number };
+                let number = if fraction == 0.0 { *range.start() } else { typable(number, number) };
                 **value = number.clamp(*range.start(), *range.end());
             }
             Kind::Count(value, range) => {
@@ -366,13 +373,15 @@ fn part(value: f32, range: &RangeInclusive<f32>) -> f32 {
     if part.is_nan() { 0.0 } else { part.clamp(0.0, 1.0) }
 }
 
-/// The number at `fraction` of `range`, in steps of a hundred-thousandth of its power of ten, so
-/// that what a slider gives can be read and typed.
 fn mix(fraction: f32, range: &RangeInclusive<f32>) -> f32 {
-    let span = range.end() - range.start();
-    let steps = 1e5 / 10_f64.powf(f64::from(span).log10().ceil());
-    let number = f64::from(range.start() + fraction * span);
-    ((number * steps).round() / steps) as f32
+    range.start() + fraction * (range.end() - range.start())
+}
+
+/// `number` with five digits beside one as large as `size`: what a slider gives can be read, and
+/// typed.
+fn typable(number: f32, size: f32) -> f32 {
+    let steps = 1e5 / 10_f64.powf(f64::from(size).log10().ceil());
+    ((f64::from(number) * steps).round() / steps) as f32
 }
 
 /// A number with at most four digits after the point and no zeros at its end; smaller ones with a

@@ -63,6 +63,8 @@ pub use control::Refused;
 #[cfg(feature = "figures")]
 pub use desktop::figure;
 #[cfg(feature = "desktop")]
+pub use desktop::lecture;
+#[cfg(feature = "desktop")]
 pub use desktop::main;
 pub use explanation::Explanation;
 pub use explanation::Group;
@@ -94,11 +96,15 @@ pub use mistakes::Pair;
 pub use mistakes::centered;
 pub use outside::Outside;
 pub use ray::Ray;
+#[cfg(feature = "desktop")]
+pub(crate) use session::Compare;
 pub use session::Effect;
 pub use session::Event;
 pub use session::KEYS;
 pub use session::Key;
 pub use session::LECTURE_KEYS;
+#[cfg(feature = "desktop")]
+pub(crate) use session::OUTSIDE;
 pub use session::Program;
 pub use session::Session;
 pub use session::Wanted;

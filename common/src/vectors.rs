@@ -84,7 +84,7 @@ pub fn marks(explanation: &Explanation, unit: f32) -> Vec<Mark> {
         }
     };
     let groups = explanation.sections.iter().flat_map(|section| &section.groups);
-    for Group { outcome, lines, .. } in groups {
+    for Group { name, outcome, lines } in groups {
         if let Outcome::Farther(t) = outcome {
             mark("t", MarkShape::Farther(ray.at(*t)));
         }
@@ -94,7 +94,10 @@ pub fn marks(explanation: &Explanation, unit: f32) -> Vec<Mark> {
         for line in lines {
             let symbol = line.symbol();
             match line.place {
-                Some(Place::Area(corners)) if !lit => mark(symbol, MarkShape::Area(corners)),
+                // Among other objects the areas of one would cover the rest.
+                Some(Place::Area(corners)) if name.is_empty() => {
+                    mark(symbol, MarkShape::Area(corners));
+                }
                 Some(Place::Arrow(from, direction)) if symbol != "normal" || !tells("n") => {
                     mark(symbol, MarkShape::Arrow(from, from + unit * direction));
                 }

@@ -18,13 +18,13 @@ impl Sphere {
     pub fn intersect(
         &self, ray: &Ray, t_min: f32, t_max: f32, say: &mut impl Listener,
     ) -> Option<IntersectionRecord> {
-        let (d, o) = (ray.direction, ray.origin - self.center);
+        let (d, o_0) = (ray.direction, ray.origin - self.center);
         let a = say.line("a = d·d", d.dot(d));
-        let b = say.line("b₀ = d·(p − center)", d.dot(o));
-        // From t₀, where the ray is nearest: b² − a c of huge and nearly equal numbers is lost.
-        let t_0 = say.line("t₀ = −b₀ / a", -b / a);
-        let o = say.line("o = p + t₀ d − center", o + t_0 * d);
-        let b = say.line("b = d·o = b₀ + a t₀", b + a * t_0);
+        let b_0 = say.line("b₀ = d·(p − center)", d.dot(o_0));
+        // The slide's roots, but counted from t₀, the ray's nearest point: f32 loses fewer digits.
+        let t_0 = say.line("t₀ = −b₀ / a", -b_0 / a);
+        let o = say.line("o = p + t₀ d − center", o_0 + t_0 * d);
+        let b = say.line("b = d·o = b₀ + a t₀", b_0 + a * t_0);
         let c = say.line("c = o·o − radius²", o.dot(o) - self.radius * self.radius);
         let discriminant = say.line("discriminant = b² − a c", b * b - a * c);
         if discriminant < 0.0 {

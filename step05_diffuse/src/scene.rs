@@ -24,7 +24,7 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// The hit with the smallest t, the first of equals. Slide «Intersecção de raios em software».
+    /// The hit with the smallest t, on a tie the first object. Slide «Intersecção de raios em software».
     pub fn intersect(
         &self, ray: &Ray, t_min: f32, t_max: f32, say: &mut impl Listener,
     ) -> Option<(IntersectionRecord, &Object)> {
@@ -54,19 +54,19 @@ impl Scene {
 
 /// The scene of the lecture's pictures: a floor, three spheres and a pyramid.
 pub fn lecture_scene() -> Scene {
-    let p = Vec3::new;
+    let at = Vec3::new;
     let paint = |r, g, b| Material { k_d: Color::new(r, g, b) };
     let object = |name, material, surface| Object { name, material, surface };
-    let sphere = |x, y, z, radius| Surface::Sphere(Sphere { center: p(x, y, z), radius });
+    let sphere = |x, y, z, radius| Surface::Sphere(Sphere { center: at(x, y, z), radius });
     let triangle = |a, b, c| Surface::Triangle(Triangle::new([a, b, c]));
     let light =
         |name, position, intensity| PointLight { name, position, intensity, attenuation: true };
     let grey = paint(0.55, 0.55, 0.55);
     let yellow = paint(0.85, 0.7, 0.25);
-    let far = [p(-20.0, 0.0, -20.0), p(20.0, 0.0, -20.0)];
-    let near = [p(-20.0, 0.0, 20.0), p(20.0, 0.0, 20.0)];
-    let base = [p(0.7, 0.0, -0.1), p(2.5, 0.0, 0.3), p(2.9, 0.0, -1.5), p(1.1, 0.0, -1.9)];
-    let face = |i, j| object("pyramid", yellow, triangle(base[i], base[j], p(1.7, 1.9, -0.9)));
+    let far = [at(-20.0, 0.0, -20.0), at(20.0, 0.0, -20.0)];
+    let near = [at(-20.0, 0.0, 20.0), at(20.0, 0.0, 20.0)];
+    let base = [at(0.7, 0.0, -0.1), at(2.5, 0.0, 0.3), at(2.9, 0.0, -1.5), at(1.1, 0.0, -1.9)];
+    let face = |i, j| object("pyramid", yellow, triangle(base[i], base[j], at(1.7, 1.9, -0.9)));
     let mut objects = vec![
         object("red sphere", paint(0.85, 0.25, 0.2), sphere(-0.3, 1.0, 0.0, 1.0)),
         object("green sphere", paint(0.25, 0.6, 0.3), sphere(-1.9, 0.6, 1.3, 0.6)),
@@ -78,6 +78,6 @@ pub fn lecture_scene() -> Scene {
     Scene {
         objects,
         background: Color::new(0.03, 0.05, 0.09),
-        light: light("key light", p(4.0, 6.0, 5.0), 42.0),
+        light: light("key light", at(4.0, 6.0, 5.0), 42.0),
     }
 }

@@ -23,17 +23,6 @@ pub struct Solution {
     pub gamma: f32,
 }
 
-impl Solution {
-    /// Why the point is not inside, if it is not. Slide «Ponto pertencente à triângulo», with ≥ for
-    /// its >: an edge must not be a gap between two triangles.
-    #[inline]
-    pub fn outside(&self) -> Option<&'static str> {
-        let weights = [(self.alpha, "α < 0"), (self.beta, "β < 0"), (self.gamma, "γ < 0")];
-        let beside = weights.into_iter().find(|(weight, _)| *weight < 0.0);
-        beside.map(|(_, condition)| condition)
-    }
-}
-
 impl Triangle {
     /// The triangle with the vertices a, b and c.
     pub fn new([a, b, c]: [Vec3; 3]) -> Self {
@@ -43,7 +32,8 @@ impl Triangle {
     }
 
     /// The solution of p + t d = a + β (b − a) + γ (c − a), which is [a−b a−c d] (β γ t)ᵀ = a − p,
-    /// if t_min < t < t_max and it is inside. Slide «Intersecção entre raio e triângulo».
+    /// if t_min < t < t_max and it is inside. Slides «Intersecção entre raio e triângulo» and «Ponto
+    /// pertencente à triângulo».
     #[inline]
     pub fn solve(
         &self, ray: &Ray, t_min: f32, t_max: f32, say: &mut impl Listener,
@@ -51,25 +41,32 @@ impl Triangle {
         let [a, b, c] = self.vertices;
         let d = ray.direction;
         let a_minus_p = say.line("a − p", a - ray.origin);
-        // Cramer's rule, with (x × y)·z for the determinant |x y z|; a−b × a−c is `cross`.
-        let determinant = say.line("D = |a−b a−c d|", self.cross.dot(d));
-        let d_t = say.line("D_t = |a−b a−c a−p|", self.cross.dot(a_minus_p));
-        let t = say.along("t = D_t / D", ray, d_t / determinant);
+        // Cramer's rule, |x y z| = (x × y)·z. A parallel ray has D = 0: t is ±∞ or NaN, and misses.
+        let det = say.line("D = |a−b a−c d|", self.cross.dot(d));
+        let det_t = say.line("D_t = |a−b a−c a−p|", self.cross.dot(a_minus_p));
+        let t = say.along("t = D_t / D", ray, det_t / det);
         if !(t_min < t && t < t_max) {
             return say.miss("no t in range", "t_min < t < t_max");
         }
+        // |a−p y d| = y·(d × (a−p)), and the other way round −: exchanging columns changes the sign.
         let w = d.cross(a_minus_p);
-        let d_beta = say.line("D_β = |a−p a−c d|", self.a_minus_c.dot(w));
-        let d_gamma = say.line("D_γ = |a−b a−p d|", -self.a_minus_b.dot(w));
+        let det_beta = say.line("D_β = |a−p a−c d|", self.a_minus_c.dot(w));
+        let det_gamma = say.line("D_γ = |a−b a−p d|", -self.a_minus_b.dot(w));
         let point = ray.at(t);
-        let beta = say.area("β = D_β / D", [point, c, a], d_beta / determinant);
-        let gamma = say.area("γ = D_γ / D", [point, a, b], d_gamma / determinant);
+        let beta = say.area("β = D_β / D", [point, c, a], det_beta / det);
+        let gamma = say.area("γ = D_γ / D", [point, a, b], det_gamma / det);
         let alpha = say.area("α = 1 − β − γ", [point, b, c], 1.0 - beta - gamma);
-        let solution = Solution { t, alpha, beta, gamma };
-        match solution.outside() {
-            Some(condition) => say.miss("outside", condition),
-            None => Some(solution),
+        // The slide's test has > 0, but an edge must not be a gap between two triangles.
+        if alpha < 0.0 {
+            return say.miss("outside", "α < 0");
         }
+        if beta < 0.0 {
+            return say.miss("outside", "β < 0");
+        }
+        if gamma < 0.0 {
+            return say.miss("outside", "γ < 0");
+        }
+        Some(Solution { t, alpha, beta, gamma })
     }
 
     /// The hit with t_min < t < t_max; `None` when there is none.

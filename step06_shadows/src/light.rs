@@ -6,7 +6,7 @@ use common::prelude::*;
 pub struct PointLight {
     pub name: &'static str,
     pub position: Vec3,
-    /// I, in no particular unit: it has the 1/π of diffuse reflection in it.
+    /// I, in no particular unit: the 1/π of diffuse reflection is in it.
     pub intensity: f32,
     /// Whether it weakens with the distance, as 1/r². Slide «Atenuação por distância».
     pub attenuation: bool,

@@ -12,7 +12,7 @@ pub struct Material {
 }
 
 impl Material {
-    /// What the hit reflects of `light` back along `ray`. Slide «Somando as contribuições».
+    /// What the hit reflects of `light` back along `ray`. Slides from «Reflexão difusa» on.
     #[inline]
     pub fn shade(
         &self, ray: &Ray, record: &IntersectionRecord, light: &PointLight, say: &mut impl Listener,
@@ -23,7 +23,7 @@ impl Material {
         let to_light = light.position - point;
         let l = say.arrow("l", point, to_light.normalize_or_zero());
         let n_dot_l = say.line("n·l", n.dot(l));
-        // A light may lie on a surface, so r is at least 10⁻³.
+        // Never 0, for a light may lie on a surface.
         let r_squared = say.line("r²", to_light.length_squared().max(1e-6));
         let i = say.line("I", light.intensity);
         let irradiance = say.line("I/r²", if light.attenuation { i / r_squared } else { i });

@@ -9,7 +9,7 @@ use crate::light::PointLight;
 pub struct Material {
     pub k_a: Color,
     pub k_d: Color,
-    /// Alike in all channels: highlights have the light's colour.
+    /// One number, not a colour: highlights are white.
     pub k_s: f32,
     /// The exponent p: the larger, the smaller the highlight.
     pub exponent: f32,
@@ -30,7 +30,7 @@ pub fn phong(n: Vec3, l: Vec3, v: Vec3, point: Vec3, say: &mut impl Listener) ->
 }
 
 impl Material {
-    /// What the hit reflects of `light` back along `ray`. Slide «Somando as contribuições».
+    /// What the hit reflects of `light` back along `ray`. Slides from «Reflexão difusa» on.
     #[inline]
     pub fn shade(
         &self, ray: &Ray, record: &IntersectionRecord, light: &PointLight, say: &mut impl Listener,
@@ -41,7 +41,7 @@ impl Material {
         let to_light = light.position - point;
         let l = say.arrow("l", point, to_light.normalize_or_zero());
         let n_dot_l = say.line("n·l", n.dot(l));
-        // A light may lie on a surface, so r is at least 10⁻³.
+        // Never 0, for a light may lie on a surface.
         let r_squared = say.line("r²", to_light.length_squared().max(1e-6));
         let i = say.line("I", light.intensity);
         let irradiance = say.line("I/r²", if light.attenuation { i / r_squared } else { i });

@@ -1,6 +1,7 @@
 use std::env;
 use std::error::Error;
 use std::fmt::Write as _;
+use std::fs;
 use std::io;
 use std::io::Write as _;
 use std::path::Path;
@@ -28,11 +29,14 @@ use super::file;
 use super::progress::Progress;
 use super::window;
 use crate::Canvas;
+use crate::Compare;
 use crate::Comparison;
 use crate::Frame;
 use crate::KEYS;
+use crate::LECTURE_KEYS;
 use crate::Language;
 use crate::Mistake;
+use crate::OUTSIDE;
 use crate::Outside;
 use crate::Pair;
 use crate::Pixel;
@@ -53,27 +57,46 @@ use crate::translated;
 /// The most rays a pixel are this many squared.
 const MAX_SAMPLES: usize = 16;
 
-/// What is to be made, and how.
-pub(crate) struct Job<'a> {
-    pub(crate) program: &'a Program,
-    pub(crate) setup: Setup,
-    pub(crate) size: Size,
-    pub(crate) samples: usize,
-    /// The pixel whose rays and vectors are drawn over a written picture.
-    pub(crate) pixel: Option<Pixel>,
-    /// From where the camera is seen, if it is.
-    pub(crate) onlooker: Option<View>,
+/// What a command line starts: a step, or the lecture with all steps.
+pub(crate) struct Suite {
+    pub(crate) name: &'static str,
+    /// The line that says what it shows.
+    pub(crate) concept: &'static str,
+    /// At least one.
+    pub(crate) programs: Vec<Program>,
+    /// The web page with all steps, where there is one to be written.
+    pub(crate) page: Option<fn() -> Result<String>>,
 }
 
-pub(crate) fn run(program: &Program) -> ExitCode {
+/// What is to be made, and how.
+struct Job {
+    name: &'static str,
+    setup: Setup,
+    /// The step before, with the same changes, where it is compared with.
+    before: Option<(Setup, Compare)>,
+    size: Size,
+    samples: usize,
+    /// The pixel whose rays and vectors are drawn over a written picture.
+    pixel: Option<Pixel>,
+    /// From where the camera is seen, if it is.
+    onlooker: Option<View>,
+}
+
+pub(crate) fn run(suite: &Suite) -> ExitCode {
     language().speak();
-    let matches = match command(program).try_get_matches() {
+    let matches = match command(suite).try_get_matches() {
         Ok(matches) => matches,
         Err(error) if error.kind() == ErrorKind::DisplayHelp => {
-            return status(print(&help(program)).map(|()| true));
+            return status(print(&help(suite)).map(|()| true));
         }
         Err(error) => return usage(&refusal(&error)),
     };
+    if let (Some(path), Some(page)) = (given::<PathBuf>(&matches, "page"), suite.page) {
+        return status(write_page(suite.name, &path, page).map(|()| true));
+    }
+    let name = suite.name;
+    let current = given::<usize>(&matches, "step").map_or(0, |step| step - 1);
+    let program = &suite.programs[current];
     let mut setup = Setup::new(program.make.clone());
     if let Err(error) = check_loop(setup.step()) {
         return status(Err(anyhow!(error)));
@@ -96,6 +119,15 @@ pub(crate) fn run(program: &Program) -> ExitCode {
         Ok(onlooker) => onlooker,
         Err(message) => return usage(&message),
     };
+    let compare = match (given(&matches, "divide"), given(&matches, "difference")) {
+        (Some(part), _) => Compare::Divided(part),
+        (None, Some(true)) => Compare::Difference,
+        _ => Compare::Off,
+    };
+    if compare != Compare::Off && current == 0 {
+        let last = suite.programs.len();
+        return usage(&text!("there is no step before step 1: compare --step 2 to {last}", last));
+    }
     let output = matches.get_one::<PathBuf>("output");
     let mut pixel = None;
     if let Some((col, row)) = matches.get_one::<(usize, usize)>("pixel").copied() {
@@ -120,7 +152,11 @@ pub(crate) fn run(program: &Program) -> ExitCode {
         }
         pixel = Some(pinned);
     }
-    let mut job = Job { program, setup, size, samples, pixel, onlooker };
+    let before = match compare {
+        Compare::Off => None,
+        compare => Some((setup.carried_to(suite.programs[current - 1].make.clone()), compare)),
+    };
+    let mut job = Job { name, setup, before, size, samples, pixel, onlooker };
     if let Some(expected) = matches.get_one::<PathBuf>("compare") {
         if output.is_some_and(|output| file::is_same(output, expected)) {
             return usage(text!("--output names the file to compare, which would be overwritten"));
@@ -131,23 +167,39 @@ pub(crate) fn run(program: &Program) -> ExitCode {
         Some(path) => job.write(path),
         None => match window::Window::open(&program.title(), size) {
             Ok(window) => {
-                let session = Session::new(vec![program.clone()], 0, job.setup, size, samples);
-                return status(window.run(session, samples).map(|()| true));
+                let programs = suite.programs.clone();
+                let session = Session::new(programs, current, job.setup, size, samples);
+                return status(window.run(session.comparing(compare), samples).map(|()| true));
             }
             Err(error) => {
-                let path = PathBuf::from(format!("{}.png", program.name));
-                report(
-                    program.name,
-                    &text!("no window ({error}), so the picture goes to a file", error),
-                );
-                job.write(&path)
+                report(name, &text!("no window ({error}), so the picture goes to a file", error));
+                job.write(&PathBuf::from(format!("{name}.png")))
             }
         },
     };
     status(written.map(|()| true))
 }
 
-fn command(program: &Program) -> Command {
+/// The value of an option that not every command line has.
+fn given<T: Clone + Send + Sync + 'static>(matches: &ArgMatches, name: &str) -> Option<T> {
+    matches
+        .try_contains_id(name)
+        .is_ok_and(|given| given)
+        .then(|| matches.get_one::<T>(name).cloned())?
+}
+
+fn write_page(name: &str, path: &Path, page: fn() -> Result<String>) -> Result<()> {
+    file::check_destination(path)?;
+    let page = page()?;
+    fs::write(path, &page).with_context(|| text!("cannot write {path}", path = path.display()))?;
+    report(
+        name,
+        &text!("{size} kB, written to {path}", size = page.len() / 1000, path = path.display()),
+    );
+    Ok(())
+}
+
+fn command(suite: &Suite) -> Command {
     let size = |text: &str| text.parse::<Size>().map_err(|error| error.to_string());
     let samples = |text: &str| match text.parse() {
         Ok(samples) if (1..=MAX_SAMPLES).contains(&samples) => Ok(samples),
@@ -167,11 +219,40 @@ fn command(program: &Program) -> Command {
         }
         _ => Ok(path),
     });
+    let last = suite.programs.len();
+    let step = move |text: &str| match text.parse::<usize>() {
+        Ok(step) if (1..=last).contains(&step) => Ok(step),
+        _ => Err(text!("it takes a whole number from 1 to {most}", most = last)),
+    };
+    let part = |text: &str| match text.parse::<f32>() {
+        Ok(part) if (0.0..=1.0).contains(&part) => Ok(part),
+        _ => {
+            Err(text!("it takes a number from 0 to 1: how much of the width is the step before's"))
+        }
+    };
     let file = |name| Arg::new(name).long(name).value_name("FILE");
     // What begins with a hyphen is a value too: -5x3 is a size, if a wrong one.
     let option =
         |name, value| Arg::new(name).long(name).value_name(value).allow_hyphen_values(true);
-    Command::new(program.name)
+    let mut command = Command::new(suite.name);
+    if last > 1 {
+        let compared = ["compare", "check"];
+        command = command
+            .arg(option("step", "N").value_parser(step))
+            .arg(option("divide", "PART").value_parser(part).conflicts_with_all(compared))
+            .arg(
+                Arg::new("difference")
+                    .long("difference")
+                    .action(ArgAction::SetTrue)
+                    .conflicts_with_all(compared)
+                    .conflicts_with("divide"),
+            );
+    }
+    if suite.page.is_some() {
+        let page = file("page").value_parser(PathBufValueParser::new());
+        command = command.arg(page.exclusive(true));
+    }
+    command
         .arg(file("output").short('o').value_parser(png))
         .arg(option("size", "WxH").short('s').value_parser(size))
         .arg(option("camera", "KIND").value_parser(View::PROJECTIONS.map(|(name, _)| name)))
@@ -258,9 +339,6 @@ fn refusal(error: &clap::Error) -> String {
     text
 }
 
-/// What the names of the onlooker's controls begin with.
-const OUTSIDE: &str = "outside.";
-
 /// From where `--outside` sees the camera, with each `--set` of it.
 fn onlooker(matches: &ArgMatches, setup: &Setup) -> Result<Option<View>, String> {
     let mut onlooker = Outside::onlooker(setup.view());
@@ -316,8 +394,25 @@ fn unknown(name: &str, names: &[String]) -> String {
     )
 }
 
-fn help(program: &Program) -> String {
-    let Program { name, concept, size, .. } = program;
+fn help(suite: &Suite) -> String {
+    let Suite { name, concept, programs, page } = suite;
+    let (size, last) = (programs[0].size, programs.len());
+    let mut lecture = String::new();
+    if last > 1 {
+        lecture = text!(
+            "
+      --step N            begin with that step (1; at most {last})
+      --divide PART       the step before left of PART of the width, such as 0.5
+      --difference        how far each pixel is from the step before's, times 8",
+            last
+        );
+    }
+    if page.is_some() {
+        lecture += text!(
+            "
+      --page FILE         write all steps as one web page, to be opened by a double click"
+        );
+    }
     let mut text = text!(
         "{name}: {concept}
 
@@ -339,7 +434,7 @@ Options:
                           with -o, write expected, found and difference side by side
       --check STEP        is STEP's program now this one? compares many pictures, names the
                           mistake; expected, found and difference go to check.png, or to -o;
-                          exit 1 if they differ; of this step itself, it checks the pixel loop
+                          exit 1 if they differ; of this step itself, it checks the pixel loop{lecture}
       --language pt|en    Portuguese or English; else the system's language
   -h, --help              this text
 
@@ -349,29 +444,36 @@ Controls (default):
         concept = translated(concept),
         size,
         cameras = View::PROJECTIONS.map(|(name, _)| name).join(" | "),
-        most = MAX_SAMPLES
+        most = MAX_SAMPLES,
+        lecture
     );
-    for Setting { name, takes, text: value, .. } in Setup::new(program.make.clone()).list() {
-        // Writing to a string cannot fail.
-        let _ = writeln!(text, "  {name:<14} {takes} ({value})");
+    let mut listed: Vec<String> = Vec::new();
+    for setting in programs.iter().flat_map(|program| Setup::new(program.make.clone()).list()) {
+        let Setting { name, takes, text: value, .. } = setting;
+        if !listed.contains(&name) {
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "  {name:<14} {takes} ({value})");
+            listed.push(name);
+        }
     }
     text.push_str(text!("\nIn the window:\n"));
-    for (keys, effect) in KEYS {
+    let more = if last > 1 { LECTURE_KEYS } else { &[] };
+    for (keys, effect) in KEYS.iter().chain(more) {
         let _ = writeln!(text, "  {:<16} {}", translated(keys), translated(effect));
     }
     text
 }
 
-impl Job<'_> {
+impl Job {
     /// Writes the picture to the file `path`.
     fn write(&mut self, path: &Path) -> Result<()> {
-        let Self { program, size, .. } = *self;
+        let Self { name, size, .. } = *self;
         file::check_destination(path)?;
         let (mut picture, time) = self.render();
         self.draw(&mut picture);
         file::save_png(&picture, path)?;
         report(
-            program.name,
+            name,
             &text!(
                 "{size} rendered in {time} ms, written to {path}",
                 size,
@@ -385,7 +487,7 @@ impl Job<'_> {
     /// Prints how far the picture in `file` is from the one expected, and writes both and their
     /// difference to `output`; whether they are equal.
     fn compare(&self, file: &Path, output: Option<&PathBuf>) -> Result<bool> {
-        let Self { program, size, .. } = self;
+        let Self { name, size, .. } = self;
         let found = file::read_png(file)?;
         if let Some(path) = output {
             file::check_destination(path)?;
@@ -417,7 +519,7 @@ impl Job<'_> {
             file::save_png(&side_by_side(&expected, &found), path)?;
             done += &text!("; both and their difference written to {path}", path = path.display());
         }
-        report(program.name, &done);
+        report(name, &done);
         Ok(comparison.is_equal())
     }
 
@@ -450,9 +552,17 @@ impl Job<'_> {
         let Self { size, samples, .. } = *self;
         let view = self.onlooker.as_ref().unwrap_or(self.setup.view());
         let camera = view.camera(size.aspect());
-        let frame = Frame { step: self.setup.step(), camera: &*camera, size, samples };
-        let progress = Progress::new(size.height());
-        let picture = frame.render_parallel(|rows| progress.add(rows));
+        let pictures = if self.before.is_some() { 2 } else { 1 };
+        let progress = Progress::new(pictures * size.height());
+        let render = |setup: &Setup| {
+            let frame = Frame { step: setup.step(), camera: &*camera, size, samples };
+            frame.render_parallel(|rows| progress.add(rows))
+        };
+        let this = render(&self.setup);
+        let picture = match &self.before {
+            Some((before, compare)) => compare.composed(&render(before), &this),
+            None => this,
+        };
         let milliseconds = progress.finish().as_secs_f64() * 1e3;
         (picture, format!("{milliseconds:.1}"))
     }

@@ -10,6 +10,8 @@ mod window;
 use std::process::ExitCode;
 use std::rc::Rc;
 
+use command_line::Suite;
+
 #[cfg(feature = "figures")]
 use crate::Figure;
 use crate::Program;
@@ -22,7 +24,25 @@ use crate::Step;
 /// 0 when all was done, 1 when it failed or a comparison found a difference, 2 for wrong usage.
 pub fn main<S: Step + Default + 'static>(name: &'static str, concept: &'static str) -> ExitCode {
     let make = Rc::new(|| Box::new(S::default()) as Box<dyn Step>);
-    command_line::run(&Program::new(name, concept, Size::DEFAULT, make))
+    step(Program::new(name, concept, Size::DEFAULT, make))
+}
+
+fn step(program: Program) -> ExitCode {
+    let Program { name, concept, .. } = program;
+    command_line::run(&Suite { name, concept, programs: vec![program], page: None })
+}
+
+/// What the lecture's `main` runs: a step's command line with one more option, the step, and one
+/// window for all of them. `page` makes the web page that has them all; the rest is as in [`main`].
+///
+/// # Panics
+///
+/// When there is no program.
+pub fn lecture(
+    name: &'static str, concept: &'static str, programs: Vec<Program>,
+    page: fn() -> anyhow::Result<String>,
+) -> ExitCode {
+    command_line::run(&Suite { name, concept, programs, page: Some(page) })
 }
 
 /// What an example's `main` runs: a step's program, for a figure of that step.
@@ -32,5 +52,5 @@ pub fn figure<L: Step + Clone + 'static>(
 ) -> ExitCode {
     let make = Rc::new(move || Box::new(figure()) as Box<dyn Step>);
     let program = Program::new(name, concept, figure().size(), make);
-    command_line::run(&Program { is_figure: true, ..program })
+    step(Program { is_figure: true, ..program })
 }

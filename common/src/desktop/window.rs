@@ -128,10 +128,12 @@ impl Window {
     /// When the window system, or standard output, fails.
     pub(crate) fn run(self, session: Session, samples: usize) -> Result<()> {
         let size = self.size().context(text!("the window has no size"))?;
+        let titled = session.program().name;
         Shell {
             window: self,
             session,
             samples,
+            titled,
             drawings: Vec::new(),
             saving: None,
             painted: RgbImage::new(0, 0),
@@ -217,6 +219,8 @@ struct Shell {
     window: Window,
     session: Session,
     samples: usize,
+    /// The program whose title the window has.
+    titled: &'static str,
     /// The pictures that the session wants, in its order, each with its program.
     drawings: Vec<(usize, Drawing)>,
     /// The picture that is to be saved as soon as it is complete; until then further input waits,
@@ -268,6 +272,10 @@ impl Shell {
 
     /// Starts the pictures that the session wants.
     fn restart(&mut self) {
+        let program = self.session.program();
+        if mem::replace(&mut self.titled, program.name) != program.name {
+            self.window.window.set_title(&program.title());
+        }
         let wanted = self.session.pictures();
         let draft = PERIOD.saturating_sub(self.window.cost).max(PERIOD / 4) / wanted.len() as u32;
         let mut drawings = mem::take(&mut self.drawings);

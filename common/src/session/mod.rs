@@ -1,5 +1,6 @@
 //! What a class does, whatever window it is done in.
 
+mod compare;
 mod event;
 mod layout;
 mod paint;
@@ -9,12 +10,14 @@ use std::mem;
 
 use crate::Area;
 use crate::Camera;
+use crate::Control;
 use crate::Explanation;
 use crate::Handle;
 use crate::Language;
 use crate::Make;
 use crate::Outside;
 use crate::Pixel;
+use crate::Section;
 use crate::Setup;
 use crate::Sight;
 use crate::Size;
@@ -23,6 +26,7 @@ use crate::drag;
 use crate::handle_at;
 use crate::text;
 use crate::translated;
+pub(crate) use compare::Compare;
 pub use event::Effect;
 pub use event::Event;
 pub use event::KEYS;
@@ -49,8 +53,11 @@ pub struct Program {
     pub slides: &'static str,
     /// Its diff to the step before; "" where there is none to be shown.
     pub diff: &'static str,
-    /// Its equation and idea in short; "" where there is none to be shown.
+    /// Its equation and idea in short, a paragraph a line, equations indented; "" where there is
+    /// none to be shown.
     pub idea: &'static str,
+    /// Concept and idea in Portuguese, where the catalogue does not have them.
+    pub portuguese: Option<[&'static str; 2]>,
     /// Whether it is a step's figure, an example: its picture is first shown alone.
     pub is_figure: bool,
 }
@@ -58,12 +65,32 @@ pub struct Program {
 impl Program {
     /// A step without texts beside it.
     pub fn new(name: &'static str, concept: &'static str, size: Size, make: Make) -> Self {
-        Self { name, concept, make, size, slides: "", diff: "", idea: "", is_figure: false }
+        Self {
+            name,
+            concept,
+            make,
+            size,
+            slides: "",
+            diff: "",
+            idea: "",
+            portuguese: None,
+            is_figure: false,
+        }
+    }
+
+    /// Concept and idea in the language that is spoken.
+    fn told(&self) -> (&'static str, &'static str) {
+        match self.portuguese {
+            Some([concept, idea]) if Language::spoken() == Language::Portuguese => (concept, idea),
+            _ => (translated(self.concept), self.idea),
+        }
     }
 
     /// What its window is called.
     pub fn title(&self) -> String {
-        format!("{}: {}", self.name, translated(self.concept))
+        let Self { name, slides, .. } = self;
+        let (concept, gap) = (self.told().0, if slides.is_empty() { "" } else { " · " });
+        format!("{name}: {concept}{gap}{slides}")
     }
 }
 
@@ -88,7 +115,7 @@ pub struct Session {
     programs: Vec<Program>,
     current: usize,
     setup: Setup,
-    /// The step before, with the same changes, while it is compared with.
+    /// The step before, if there is one, with the same changes.
     before: Option<Setup>,
     /// How large the picture is when it is saved; a pixel is one of these.
     picture: Size,
@@ -123,15 +150,6 @@ pub struct Session {
     effects: Vec<Effect>,
 }
 
-/// How the step before is compared with.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Compare {
-    Off,
-    /// Left of this part of the width is the step before.
-    Divided(f32),
-    Difference,
-}
-
 /// What is read in place of the pinned pixel's explanation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Reading {
@@ -157,6 +175,9 @@ enum Held {
     /// A part of the window without effect.
     Panel,
 }
+
+/// What the names of the onlooker's controls begin with on a command line.
+pub(crate) const OUTSIDE: &str = "outside.";
 
 /// How far the mouse may move during a click, of the window's height.
 const CLICK: f32 = 1.0 / 180.0;
@@ -209,7 +230,16 @@ impl Session {
             effects: Vec::new(),
         };
         session.select_first();
+        session.changed();
+        session.effects.clear();
         session
+    }
+
+    /// Starts by comparing with the step before.
+    #[cfg(feature = "desktop")]
+    pub(crate) fn comparing(mut self, compare: Compare) -> Self {
+        self.compare = compare;
+        self
     }
 
     /// The program that is shown.
@@ -245,9 +275,13 @@ impl Session {
 
     /// How the pinned pixel comes by its colour.
     pub fn explanation(&self) -> Option<Explanation> {
+        self.explanation_of(&self.setup)
+    }
+
+    fn explanation_of(&self, setup: &Setup) -> Option<Explanation> {
         let pixel = self.pinned()?;
-        let camera = self.setup.view().camera(self.picture.aspect());
-        Some(self.setup.step().explain(&*camera, pixel))
+        let camera = setup.view().camera(self.picture.aspect());
+        Some(setup.step().explain(&*camera, pixel))
     }
 
     /// What was said last, if nothing was done since.
@@ -274,8 +308,16 @@ impl Session {
     pub fn command(&self) -> String {
         let Program { name, size, is_figure, .. } = self.program();
         let kind = if *is_figure { "--example" } else { "-p" };
+        let compare = if self.before.is_some() { self.compare } else { Compare::Off };
+        let name = if compare == Compare::Off { name } else { "lecture" };
         let mut command = format!("cargo run {kind} {name}");
         let mut flags: Vec<String> = Vec::new();
+        let step = self.current + 1;
+        match compare {
+            Compare::Off => {}
+            Compare::Divided(part) => flags.push(format!("--step {step} --divide {part}")),
+            Compare::Difference => flags.push(format!("--step {step} --difference")),
+        }
         if self.picture != *size {
             flags.push(format!("--size {}", self.picture));
         }
@@ -283,6 +325,16 @@ impl Session {
             flags.push(format!("--samples {}", self.samples));
         }
         flags.extend(self.setup.settings().iter().map(|setting| format!("--set {setting}")));
+        if let Some(onlooker) = &self.onlooker {
+            flags.push(format!("-o {name}.png --outside"));
+            let mut start = Outside::onlooker(self.setup.view());
+            let start: Vec<String> = start.controls().iter().map(Control::exact).collect();
+            for (control, start) in onlooker.clone().controls().iter().zip(start) {
+                if control.exact() != start {
+                    flags.push(format!("--set {OUTSIDE}{}={}", control.name, control.exact()));
+                }
+            }
+        }
         if !flags.is_empty() {
             command.push_str(" -- ");
             command.push_str(&flags.join(" "));
@@ -366,13 +418,8 @@ impl Session {
 
     /// The picture is another one.
     fn changed(&mut self) {
-        let compared = self.holding || self.compare != Compare::Off;
-        self.before = match self.current.checked_sub(1) {
-            Some(before) if compared => {
-                Some(self.setup.carried_to(self.programs[before].make.clone()))
-            }
-            _ => None,
-        };
+        let before = self.current.checked_sub(1).map(|before| &self.programs[before]);
+        self.before = before.map(|before| self.setup.carried_to(before.make.clone()));
         self.ask(Effect::Redraw);
     }
 
@@ -575,15 +622,20 @@ impl Session {
         }
     }
 
-    /// Opens as many sections of the explanation as can be seen at once.
+    /// Opens as many sections of the explanation as can be seen at once, and the one before the
+    /// last in any case where the last says no more than a colour.
     fn unfold(&mut self) {
         self.folds.retain(|(fold, _)| matches!(fold, Fold::Controls(_)));
         let Some(explanation) = self.explanation() else {
             return;
         };
-        for section in explanation.sections.iter().rev().skip(1) {
+        let mut sections = explanation.sections.iter().rev();
+        let lines = |section: &Section| section.groups.iter().map(|group| group.lines.len()).sum();
+        let last: usize = sections.next().map_or(0, lines);
+        for (place, section) in sections.enumerate() {
             self.folds.push((Fold::Section(section.name), true));
-            if self.reading_panel().is_some_and(|panel| !panel.fits()) {
+            let wanted = place == 0 && last <= 1;
+            if !wanted && self.reading_panel().is_some_and(|panel| !panel.fits()) {
                 self.folds.pop();
             }
         }

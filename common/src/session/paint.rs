@@ -9,6 +9,7 @@ use super::event::KEYS;
 use super::event::LECTURE_KEYS;
 use super::layout::Layout;
 use super::panel::ACCENT;
+use super::panel::ADDED;
 use super::panel::BACKGROUND;
 use super::panel::FAINT;
 use super::panel::Fold;
@@ -22,8 +23,10 @@ use crate::Canvas;
 use crate::Explanation;
 use crate::Font;
 use crate::Ink;
+use crate::Line;
 use crate::Outcome;
 use crate::Outside;
+use crate::Section;
 use crate::Setting;
 use crate::Sight;
 use crate::Value;
@@ -35,11 +38,7 @@ use crate::translated;
 
 const CAMERA: &str = "camera";
 
-/// What is off by one code is shown as so many.
-const MAGNIFIED: u8 = 8;
-
-/// Added and removed lines of a diff.
-const ADDED: Ink = Ink::new(150, 225, 150);
+/// What a diff takes away.
 const REMOVED: Ink = Ink::new(255, 160, 150);
 
 impl Session {
@@ -85,32 +84,21 @@ impl Session {
             pictures.iter().for_each(|picture| canvas.picture(picture, area));
             return None;
         };
+        canvas.picture(&self.compare.composed(before, this), area);
         match self.compare {
+            Compare::Off => None,
             Compare::Divided(part) => {
-                canvas.picture(this, area);
-                let left = Area { width: (part * area.width).round(), ..area };
-                canvas.clipped(left).picture(before, area);
+                let at = area.left + (part * area.width).round();
                 let width = (0.12 * layout.em).max(1.0);
-                let line = Area::new(left.right() - width / 2.0, area.top, width, area.height);
+                let line = Area::new(at - width / 2.0, area.top, width, area.height);
                 canvas.clipped(area).fill(line.inset(-width), Ink::BLACK);
                 canvas.clipped(area).fill(line, ACCENT);
                 None
             }
-            Compare::Difference if before.dimensions() == this.dimensions() => {
-                let mut difference = (*this).clone();
-                let mut pixels = 0;
-                for (pixel, before) in difference.pixels_mut().zip(before.pixels()) {
-                    pixels += usize::from(pixel != before);
-                    for (channel, before) in pixel.0.iter_mut().zip(before.0) {
-                        *channel = channel.abs_diff(before).saturating_mul(MAGNIFIED);
-                    }
-                }
-                canvas.picture(&difference, area);
-                Some((pixels, difference.pixels().len()))
-            }
-            Compare::Difference | Compare::Off => {
-                canvas.picture(this, area);
-                None
+            Compare::Difference => {
+                let differ =
+                    this.pixels().zip(before.pixels()).filter(|(this, before)| this != before);
+                Some((differ.count(), this.pixels().len()))
             }
         }
     }
@@ -149,8 +137,8 @@ impl Session {
         let below = Area { height: canvas.area().height - area.top, ..area };
         let mut canvas = canvas.clipped(below);
         let area = area.inset(0.4 * em);
-        let Program { name, concept, slides, .. } = self.program();
-        let concept = translated(concept);
+        let Program { name, slides, .. } = self.program();
+        let (concept, _) = self.program().told();
         if area.height < 5.0 * row {
             let title = format!("{name}   {concept}");
             let (text, ink) = said.map_or((status, FAINT), |said| (said, TEXT));
@@ -223,6 +211,7 @@ impl Session {
                     value: String::new(),
                     open,
                     faint: false,
+                    new: false,
                 });
             }
             if !open {
@@ -257,19 +246,11 @@ impl Session {
                     .map(|(key, effect)| Row::Key(translated(key), translated(effect)))
                     .collect()
             }
-            Reading::Diff => {
-                let ink = |line: &str| match line.bytes().next() {
-                    Some(b'+') => ADDED,
-                    Some(b'-') => REMOVED,
-                    Some(b'@') => ACCENT,
-                    _ => FAINT,
-                };
-                let lines = self.program().diff.lines();
-                lines.map(|line| Row::Text(line.to_owned(), ink(line))).collect()
-            }
+            Reading::Diff => diff_rows(self.program().diff),
             Reading::Idea => {
-                let lines = self.program().idea.lines();
-                lines.map(|line| Row::Text(line.to_owned(), TEXT)).collect()
+                let lines = self.program().told().1.lines();
+                let ink = |line: &str| if line.starts_with(' ') { ACCENT } else { TEXT };
+                lines.map(|line| Row::Text(line.to_owned(), ink(line))).collect()
             }
         }
     }
@@ -281,12 +262,22 @@ impl Session {
         let (col, row) = (explanation.pixel.col, explanation.pixel.row);
         let mut rows = vec![Row::Pixel { text: format!("({col}, {row}): {r}, {g}, {b}"), rgb }];
         let last = explanation.sections.len().saturating_sub(1);
+        let before = self.before.as_ref().and_then(|before| self.explanation_of(before));
+        let is_new = |section: &Section, line: &Line| {
+            let told = |other: &Section| {
+                let mut lines = other.groups.iter().flat_map(|group| &group.lines);
+                other.name == section.name && lines.any(|other| other.equation == line.equation)
+            };
+            before.as_ref().is_some_and(|before| !before.sections.iter().any(told))
+        };
         for (place, section) in explanation.sections.iter().enumerate().rev() {
             let fold = Fold::Section(section.name);
             let open = self.is_open(fold, place == last);
             let (text, value) = (translated(section.name), String::new());
             if !text.is_empty() {
-                rows.push(Row::Heading { fold, text, value, open, faint: false });
+                let mut lines = section.groups.iter().flat_map(|group| &group.lines);
+                let new = !open && lines.any(|line| is_new(section, line));
+                rows.push(Row::Heading { fold, text, value, open, faint: false, new });
             }
             if !open {
                 continue;
@@ -303,28 +294,52 @@ impl Session {
                         }
                     };
                     let faint = !group.is_open();
-                    rows.push(Row::Heading {
-                        fold,
-                        text: translated(group.name),
-                        value,
-                        open,
-                        faint,
-                    });
+                    let new = !open && group.lines.iter().any(|line| is_new(section, line));
+                    let text = translated(group.name);
+                    rows.push(Row::Heading { fold, text, value, open, faint, new });
                 }
                 if open {
                     rows.extend(group.lines.iter().map(|line| {
+                        let equation = translated(line.equation);
                         let ink = symbol_ink(line.symbol()).unwrap_or(FAINT);
-                        Row::Line {
-                            equation: translated(line.equation),
-                            ink,
-                            values: line.value.texts(),
-                        }
+                        let new = is_new(section, line);
+                        Row::Line { equation, ink, values: line.value.texts(), new }
                     }));
                 }
             }
         }
         rows
     }
+}
+
+/// A diff as it is read: of what stands before a file's lines its name is enough, and what all
+/// lines in a place are indented by is left away.
+fn diff_rows(diff: &str) -> Vec<Row> {
+    let is_read = |line: &&str| !line.starts_with("diff ") && !line.starts_with("--- ");
+    let lines: Vec<&str> = diff.lines().filter(is_read).collect();
+    let is_code = |line: &str| line.starts_with(['+', '-', ' ']) && !line.starts_with("+++ ");
+    let mut rows = Vec::new();
+    for part in lines.chunk_by(|line, next| is_code(line) == is_code(next)) {
+        let inner = part.iter().filter_map(|line| line.get(1..)).filter(|line| !line.is_empty());
+        let spaces = inner.map(|line| line.len() - line.trim_start().len()).min().unwrap_or(0);
+        for line in part {
+            rows.push(match (line.strip_prefix("+++ b/"), line.split_at_checked(1)) {
+                (Some(file), _) => Row::Text(file.to_owned(), ACCENT),
+                (None, Some(("@", _))) => Row::Text("…".to_owned(), FAINT),
+                (None, Some((sign, code))) => {
+                    let ink = match sign {
+                        "+" => ADDED,
+                        "-" => REMOVED,
+                        _ => FAINT,
+                    };
+                    let code = code.get(spaces..).unwrap_or_default();
+                    Row::Text(format!("{sign}{code}"), ink)
+                }
+                (None, None) => Row::Text(String::new(), FAINT),
+            });
+        }
+    }
+    rows
 }
 
 /// A word over the picture, at its lower edge.

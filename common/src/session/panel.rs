@@ -11,6 +11,9 @@ pub(super) const TEXT: Ink = Ink::grey(238);
 pub(super) const FAINT: Ink = Ink::new(163, 172, 186);
 /// What is chosen, and what was changed.
 pub(super) const ACCENT: Ink = Ink::new(255, 208, 64);
+/// What a step adds: to its code, and to what is told of a pixel.
+pub(super) const ADDED: Ink = Ink::new(150, 225, 150);
+const NEW: Ink = Ink::new(30, 50, 42);
 const CHOSEN: Ink = Ink::new(43, 49, 61);
 const GROOVE: Ink = Ink::new(66, 74, 90);
 const BAR: Ink = Ink::new(128, 140, 160);
@@ -22,7 +25,7 @@ const MARGIN: f32 = 0.6;
 const INDENT: f32 = 0.95;
 const NUMBER: f32 = 5.0;
 const SIGN: f32 = 0.3;
-const NAME: f32 = 5.6;
+const NAME: f32 = 6.6;
 /// From this width on controls stand two in a row.
 const TWO: f32 = 24.0;
 /// Between the two.
@@ -50,17 +53,17 @@ pub(super) enum Target {
 /// A row of a panel.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Row {
-    /// What stands over rows that can be folded.
-    Heading { fold: Fold, text: &'static str, value: String, open: bool, faint: bool },
+    /// What stands over rows that can be folded; new if there is something new below it.
+    Heading { fold: Fold, text: &'static str, value: String, open: bool, faint: bool, new: bool },
     /// A control with its slider.
     Control(Setting),
-    /// An equation and its numbers, or words.
-    Line { equation: &'static str, ink: Ink, values: Vec<String> },
+    /// An equation and its numbers, or words; new if the step before does not tell it.
+    Line { equation: &'static str, ink: Ink, values: Vec<String>, new: bool },
     /// What is explained, and its colour.
     Pixel { text: String, rgb: [u8; 3] },
     /// A key and what it does.
     Key(&'static str, &'static str),
-    /// A paragraph.
+    /// A paragraph, indented as far as it begins with spaces, behind its `+` or `-` too.
     Text(String, Ink),
 }
 
@@ -82,6 +85,10 @@ impl Row {
             Self::Control(setting) => Target::Control(setting.name.clone()),
             _ => Target::Nothing,
         }
+    }
+
+    fn is_new(&self) -> bool {
+        matches!(self, Self::Heading { new: true, .. } | Self::Line { new: true, .. })
     }
 
     /// Whether two of them may share a row.
@@ -106,7 +113,10 @@ impl Row {
                 let effect = Font::wrap(em, effect, width - INDENT * em).len();
                 lines(Font::wrap(em, key, width).len() + effect) + 0.2 * em
             }
-            Self::Text(text, _) => lines(Font::wrap(em, text, width).len()),
+            Self::Text(text, _) => {
+                let (_, indent, text) = indented(text, em);
+                lines(Font::wrap(em, text, width - indent).len())
+            }
         }
     }
 }
@@ -230,7 +240,7 @@ impl Panel {
 
     fn slider(&self, row: usize) -> Area {
         let area = self.row_area(row);
-        let text = (NAME * self.em).min(0.36 * area.width);
+        let text = (NAME * self.em).min(0.39 * area.width);
         let width = area.width - 2.0 * text;
         let height = 0.26 * self.em;
         Area::new(area.left + text, area.top + (area.height - height) / 2.0, width, height)
@@ -251,12 +261,14 @@ impl Panel {
             if area.bottom() < self.area.top || area.top > self.area.bottom() {
                 continue;
             }
-            if selected.is_some_and(|selected| *selected == self.rows[row].target()) {
+            let chosen = selected.is_some_and(|selected| *selected == self.rows[row].target());
+            let marks = [(self.rows[row].is_new(), NEW, ADDED), (chosen, CHOSEN, ACCENT)];
+            for (_, behind, beside) in marks.into_iter().filter(|(marked, ..)| *marked) {
                 let margin = MARGIN * self.em;
                 let left = area.left - margin;
                 let around = Area { left, width: area.width + 2.0 * margin, ..area };
-                canvas.fill(around, CHOSEN);
-                canvas.fill(Area { width: 0.2 * self.em, ..around }, ACCENT);
+                canvas.fill(around, behind);
+                canvas.fill(Area { width: 0.2 * self.em, ..around }, beside);
             }
             self.draw_row(&mut canvas, row, area);
         }
@@ -284,7 +296,7 @@ impl Panel {
         let middle = area.at(Anchor::Left);
         let right = area.at(Anchor::Right);
         match &self.rows[row] {
-            Row::Heading { fold, text, value, open, faint } => {
+            Row::Heading { fold, text, value, open, faint, .. } => {
                 let ink = match (fold, faint) {
                     (_, true) => FAINT,
                     (Fold::Group(..), false) => TEXT,
@@ -301,10 +313,10 @@ impl Panel {
             }
             Row::Control(setting) => {
                 let slider = self.slider(row);
-                let name = slider.left - area.left - 0.7 * em;
+                let name = slider.left - area.left - 0.5 * em;
                 canvas.text_within(middle, Anchor::Left, em, TEXT, &setting.name, name);
                 let ink = if setting.changed { ACCENT } else { TEXT };
-                let value = area.right() - slider.right() - 0.7 * em;
+                let value = area.right() - slider.right() - 0.5 * em;
                 canvas.text_within(right, Anchor::Right, em, ink, &setting.text, value);
                 canvas.fill(slider, GROOVE);
                 let length = setting.fraction * slider.width;
@@ -312,7 +324,7 @@ impl Panel {
                 let knob = (slider.left + length, middle.1);
                 canvas.disc(knob, 0.34 * em, ink);
             }
-            Row::Line { equation, ink, values } => {
+            Row::Line { equation, ink, values, .. } => {
                 draw_line(canvas, area, em, (equation, *ink), values);
             }
             Row::Pixel { text, rgb } => {
@@ -331,10 +343,21 @@ impl Panel {
                 draw_text(canvas, inset, em, TEXT, effect);
             }
             Row::Text(text, ink) => {
-                draw_text(canvas, area, em, *ink, text);
+                let (sign, indent, text) = indented(text, em);
+                canvas.text(area.at(Anchor::TopLeft), Anchor::TopLeft, em, *ink, sign);
+                let (left, width) = (area.left + indent, area.width - indent);
+                draw_text(canvas, Area { left, width, ..area }, em, *ink, text);
             }
         }
     }
+}
+
+/// The sign at the start of a paragraph, how far the rest is indented in pixels, and the rest.
+fn indented(text: &str, em: f32) -> (&str, f32, &str) {
+    let (sign, rest) = text.split_at(usize::from(text.starts_with(['+', '-', ' '])));
+    let spaces = rest.len() - rest.trim_start().len();
+    let gutter = if sign.is_empty() { 0.0 } else { 0.8 * em };
+    (sign, gutter + 0.2 * em * spaces as f32, rest.trim_start())
 }
 
 /// The mark of what can be folded: a triangle that points down where it is open.

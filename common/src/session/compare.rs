@@ -1,0 +1,38 @@
+use image::RgbImage;
+
+/// What is off by one code is shown as so many.
+const MAGNIFIED: u8 = 8;
+
+/// How the step before is compared with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Compare {
+    Off,
+    /// Left of this part of the width, 0 to 1, is the step before.
+    Divided(f32),
+    Difference,
+}
+
+impl Compare {
+    /// What is to be seen of the two pictures: of this one alone if they have different sizes.
+    pub(crate) fn composed(self, before: &RgbImage, this: &RgbImage) -> RgbImage {
+        let mut composed = this.clone();
+        let width = 3 * this.width() as usize;
+        if before.dimensions() != this.dimensions() || width == 0 {
+            return composed;
+        }
+        let lines = composed.chunks_exact_mut(width).zip(before.chunks_exact(width));
+        match self {
+            Self::Off => {}
+            Self::Divided(part) => {
+                let left = 3 * (part * this.width() as f32).round() as usize;
+                lines.for_each(|(line, before)| line[..left].copy_from_slice(&before[..left]));
+            }
+            Self::Difference => lines.for_each(|(line, before)| {
+                for (channel, before) in line.iter_mut().zip(before) {
+                    *channel = channel.abs_diff(*before).saturating_mul(MAGNIFIED);
+                }
+            }),
+        }
+        composed
+    }
+}

@@ -1,0 +1,212 @@
+//! A step's handout and diff as they stand on the page.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+
+use anyhow::Context;
+use anyhow::Result;
+use pulldown_cmark::CodeBlockKind;
+use pulldown_cmark::Event;
+use pulldown_cmark::HeadingLevel;
+use pulldown_cmark::Options;
+use pulldown_cmark::Parser;
+use pulldown_cmark::Tag;
+use pulldown_cmark::TagEnd;
+use pulldown_cmark::html;
+
+use crate::equation;
+
+/// What the page says of a step, as HTML.
+pub(crate) struct Handout {
+    pub(crate) title: String,
+    /// What stands before the first heading.
+    pub(crate) lead: String,
+    pub(crate) sections: Vec<Section>,
+}
+
+/// What stands under one heading.
+pub(crate) struct Section {
+    pub(crate) heading: String,
+    pub(crate) html: String,
+}
+
+/// What the page shows live, and so does not repeat.
+const SHOWN_ALREADY: [&str; 4] =
+    ["Before and after", "Antes e depois", "The slides' figures", "As figuras dos slides"];
+
+/// What is around a table, which may be wider than a phone.
+pub(crate) const TABLE: &str = "<div class=\"wide\" tabindex=\"0\" role=\"group\">";
+
+/// `text` as it is written in HTML, between tags or in quotes.
+pub(crate) fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// The handout in `path`, of the step called `name`.
+pub(crate) fn read(path: &Path, name: &str) -> Result<Handout> {
+    let text = fs::read_to_string(path).with_context(|| path.display().to_string())?;
+    let mut handout = Handout { title: String::new(), lead: String::new(), sections: Vec::new() };
+    let mut heading: Option<String> = None;
+    let mut part = Vec::new();
+    let mut level = None;
+    for event in Parser::new_ext(&text, Options::ENABLE_TABLES | Options::ENABLE_MATH) {
+        match event {
+            Event::Start(Tag::Heading { level: start, .. }) if start <= HeadingLevel::H2 => {
+                finish(&mut handout, heading.take(), std::mem::take(&mut part), name);
+                level = Some((start, String::new()));
+            }
+            Event::End(TagEnd::Heading(end)) if end <= HeadingLevel::H2 => match level.take() {
+                Some((HeadingLevel::H1, text)) => handout.title = text,
+                Some((_, text)) => heading = Some(text),
+                None => {}
+            },
+            Event::Text(text) | Event::Code(text) if level.is_some() => {
+                level.iter_mut().for_each(|(_, heading)| heading.push_str(&text));
+            }
+            event => part.push(event),
+        }
+    }
+    finish(&mut handout, heading, part, name);
+    Ok(handout)
+}
+
+fn finish(handout: &mut Handout, heading: Option<String>, mut part: Vec<Event<'_>>, name: &str) {
+    if heading.as_ref().is_some_and(|heading| SHOWN_ALREADY.contains(&heading.as_str())) {
+        return;
+    }
+    // The ways to the other steps and to the other language are the page's own.
+    let is_way = |event: &Event<'_>| {
+        let Event::Start(Tag::Link { dest_url, .. }) = event else { return false };
+        dest_url.starts_with("README") || dest_url.starts_with("../README")
+    };
+    while let Some(way) = part.iter().position(is_way).filter(|_| heading.is_none()) {
+        let start = part[..way].iter().rposition(|event| *event == Event::Start(Tag::Paragraph));
+        let end = part[way..].iter().position(|event| *event == Event::End(TagEnd::Paragraph));
+        part.drain(start.unwrap_or(way)..=way + end.unwrap_or(0));
+    }
+    let mut text = String::new();
+    html::push_html(&mut text, on_the_page(part, name).into_iter());
+    match heading {
+        Some(heading) => handout.sections.push(Section { heading, html: text }),
+        None => handout.lead.push_str(&text),
+    }
+}
+
+/// Equations become MathML, settings become links that set them, differences are coloured; links to
+/// files and pictures stay out.
+fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str) -> Vec<Event<'a>> {
+    let number = &name[..6];
+    let mut events: Vec<Event<'a>> = Vec::new();
+    let (mut links, mut image, mut code) = (Vec::new(), false, None);
+    for event in part {
+        match event {
+            Event::Start(Tag::Image { .. }) => image = true,
+            Event::End(TagEnd::Image) => image = false,
+            _ if image => {}
+            Event::DisplayMath(latex) => {
+                events.push(Event::InlineHtml(equation::block(&latex).into()));
+            }
+            Event::InlineMath(latex) => {
+                events.push(Event::InlineHtml(equation::inline(&latex).into()));
+            }
+            Event::Code(code) => match address(&code) {
+                Some(address) => {
+                    let code = escape(&code);
+                    let link = format!("<a class=\"try\" href=\"#{number}{address}\">{code}</a>");
+                    events.push(Event::InlineHtml(link.into()));
+                }
+                None => events.push(Event::Code(code)),
+            },
+            Event::Start(Tag::CodeBlock(kind)) => {
+                let is_diff =
+                    matches!(kind, CodeBlockKind::Fenced(language) if &*language == "diff");
+                code = Some((is_diff, String::new()));
+            }
+            Event::Text(text) if code.is_some() => {
+                code.iter_mut().for_each(|(_, code)| code.push_str(&text));
+            }
+            Event::End(TagEnd::CodeBlock) => {
+                let html = match code.take() {
+                    Some((true, code)) => coloured(code.lines()),
+                    Some((_, code)) => format!("<pre tabindex=\"0\">{}</pre>", escape(&code)),
+                    None => String::new(),
+                };
+                events.push(Event::Html(html.into()));
+            }
+            Event::Start(Tag::Table(alignments)) => {
+                events.push(Event::Html(TABLE.into()));
+                events.push(Event::Start(Tag::Table(alignments)));
+            }
+            Event::End(TagEnd::Table) => {
+                events.push(Event::End(TagEnd::Table));
+                events.push(Event::Html("</div>".into()));
+            }
+            Event::Start(Tag::Link { dest_url, .. }) => {
+                let step = dest_url.strip_prefix("../step").and_then(|rest| rest.get(..2));
+                links.push(step.is_some());
+                if let Some(step) = step {
+                    let link = format!("<a href=\"#step{}\">", escape(step));
+                    events.push(Event::InlineHtml(link.into()));
+                }
+            }
+            Event::End(TagEnd::Link) => {
+                if links.pop() == Some(true) {
+                    events.push(Event::InlineHtml("</a>".into()));
+                }
+            }
+            event => events.push(event),
+        }
+    }
+    events
+}
+
+/// `--camera parallel --set p=10` as it stands in an address.
+fn address(code: &str) -> Option<String> {
+    let mut address = String::new();
+    let mut words = code.split_whitespace();
+    while let Some(flag) = words.next() {
+        match flag {
+            "--set" => write!(address, "&amp;{}", escape(words.next()?)).ok()?,
+            "--outside" => address.push_str("&amp;outside=on"),
+            "--camera" | "--pixel" | "--size" => {
+                write!(address, "&amp;{}={}", &flag[2..], escape(words.next()?)).ok()?;
+            }
+            _ => return None,
+        }
+    }
+    (!address.is_empty()).then_some(address)
+}
+
+/// Lines of a difference: what is new, what is gone, and what is around it.
+pub(crate) fn coloured<'a>(lines: impl Iterator<Item = &'a str>) -> String {
+    let mut html = String::from("<pre class=\"diff\" tabindex=\"0\">");
+    for line in lines {
+        let (tag, end) = match line.as_bytes().first() {
+            Some(b'+') => ("<ins>", "</ins>"),
+            Some(b'-') if !line.starts_with("--- ") => ("<del>", "</del>"),
+            Some(b'@') => ("<i>", "</i>"),
+            _ => ("", ""),
+        };
+        let _ = writeln!(html, "{tag}{}{end}", escape(line));
+    }
+    html + "</pre>"
+}
+
+/// A committed difference, folded by file.
+pub(crate) fn difference(text: &str) -> String {
+    let mut html = String::new();
+    for file in text.split("diff --git ").skip(1) {
+        let name = file.split_once("+++ b/").and_then(|(_, rest)| rest.lines().next());
+        let changes: Vec<&str> = file.lines().skip_while(|line| !line.starts_with("@@")).collect();
+        let count = |sign| changes.iter().filter(|line| line.starts_with(sign)).count();
+        let (new, gone) = (count('+'), count('-'));
+        let name = escape(name.unwrap_or("/dev/null"));
+        let lines = coloured(changes.into_iter());
+        let _ = writeln!(
+            html,
+            "<details open><summary><code>{name}</code> +{new} −{gone}</summary>{lines}</details>"
+        );
+    }
+    html
+}

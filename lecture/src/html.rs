@@ -1,0 +1,156 @@
+//! Puts the page together: one file with everything in it.
+
+use std::env;
+use std::fmt::Write as _;
+use std::fs;
+use std::io::Write as _;
+use std::path::Path;
+use std::path::PathBuf;
+use std::process::Command;
+use std::process::Stdio;
+
+use anyhow::Context;
+use anyhow::Result;
+use anyhow::bail;
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use lecture::PROGRAMS;
+
+use crate::handout;
+use crate::handout::Handout;
+use crate::handout::escape;
+
+const TARGET: &str = "wasm32-unknown-unknown";
+
+/// glam computes with it, and every browser has had it since 2023.
+const FLAGS: &str = "-Ctarget-feature=+simd128";
+
+/// The languages of the page, and a step's handout in each.
+const LANGUAGES: [(&str, &str); 2] = [("en", "README.md"), ("pt-BR", "README.pt-BR.md")];
+
+/// The whole page.
+///
+/// # Errors
+///
+/// When the steps do not build for a browser, or a handout cannot be read.
+pub(crate) fn page() -> Result<String> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().context("no workspace")?;
+    let wasm = fs::read(build(root)?).context("the steps were built, and are not there")?;
+    let mut packed = GzEncoder::new(Vec::new(), Compression::best());
+    packed.write_all(&wasm)?;
+    let wasm = STANDARD.encode(packed.finish()?);
+    let (mut links, mut articles) = (String::new(), String::new());
+    for program in PROGRAMS {
+        let (folder, number) = (root.join(program.name), &program.name[4..6]);
+        let _ = writeln!(
+            links,
+            "<li><a href=\"#step{number}\"><b>{number}</b> <span data-step=\"{number}\"></span></a></li>"
+        );
+        let difference = root.join("tests/diffs").join(program.name).with_extension("diff");
+        // There is none of the first step.
+        let difference = fs::read_to_string(difference).unwrap_or_default();
+        for (language, file) in LANGUAGES {
+            let handout = handout::read(&folder.join(file), program.name)?;
+            articles.push_str(&article(&handout, number, language, &difference));
+        }
+    }
+    Ok(filled(
+        include_str!("../page/index.html"),
+        &[
+            ("style", include_str!("../page/style.css")),
+            ("script", include_str!("../page/page.js")),
+            ("links", &links),
+            ("articles", &articles),
+            ("wasm", &wasm),
+        ],
+    ))
+}
+
+/// A step's handout, and what is new in its code, folded.
+fn article(handout: &Handout, number: &str, language: &str, difference: &str) -> String {
+    let title = escape(&handout.title);
+    let mut html = format!(
+        "<article id=\"handout{number}-{language}\" lang=\"{language}\"><h2>{title}</h2>{}",
+        handout.lead
+    );
+    for (place, section) in handout.sections.iter().enumerate() {
+        let (class, open) = match place {
+            0 => ("idea", " open"),
+            1 => ("equation", " open"),
+            2 => ("try", " open"),
+            _ => ("more", ""),
+        };
+        let heading = escape(&section.heading);
+        // The symbols are folded, so that the equation has room beside the picture.
+        let text = match section.html.split_once(handout::TABLE) {
+            Some((equation, table)) if class == "equation" => format!(
+                "{equation}<details><summary data-text=\"symbols\"></summary>{TABLE}{table}</details>",
+                TABLE = handout::TABLE,
+            ),
+            _ => section.html.clone(),
+        };
+        let _ = writeln!(
+            html,
+            "<details class=\"{class}\"{open}><summary><h3>{heading}</h3></summary>{text}</details>"
+        );
+    }
+    if !difference.is_empty() {
+        let lines = handout::difference(difference);
+        let _ = writeln!(
+            html,
+            "<details class=\"more\"><summary><h3 data-text=\"diff\"></h3></summary>{lines}</details>"
+        );
+    }
+    html + "</article>\n"
+}
+
+/// `template` with each `{{name}}` replaced. What is put in is not looked at again.
+fn filled(template: &str, parts: &[(&str, &str)]) -> String {
+    let mut pieces = template.split("{{");
+    let mut page = pieces.next().unwrap_or_default().to_owned();
+    for piece in pieces {
+        let (name, rest) = piece.split_once("}}").unwrap_or((piece, ""));
+        let part = parts.iter().find(|part| part.0 == name);
+        page.push_str(part.map_or("", |part| part.1));
+        page.push_str(rest);
+    }
+    page
+}
+
+/// Builds all steps for a browser: the file that they are in.
+///
+/// What `WASM` names, if it is set, is given cargo and its arguments to run: a machine without
+/// rustup has its own way to that target.
+fn build(root: &Path) -> Result<PathBuf> {
+    let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut build = match env::var_os("WASM") {
+        Some(helper) => {
+            let mut build = Command::new(helper);
+            build.arg(cargo);
+            build
+        }
+        None if has_target() => Command::new(cargo),
+        None => bail!("Rust cannot build for a browser yet: rustup target add {TARGET}"),
+    };
+    build.current_dir(root).args(["rustc", "--quiet", "-p", "lecture", "--lib"]);
+    build.args(["--no-default-features", "--crate-type", "cdylib", "--profile", "page"]);
+    build.args(["--target", TARGET, "--message-format", "json-render-diagnostics"]);
+    build.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", FLAGS);
+    let built = build.stderr(Stdio::inherit()).output().context("cargo does not run")?;
+    if !built.status.success() {
+        bail!("the steps do not build for a browser");
+    }
+    let messages = String::from_utf8_lossy(&built.stdout);
+    let file = messages.split('"').rfind(|word| word.ends_with("lecture.wasm"));
+    Ok(PathBuf::from(file.context("cargo does not say what it built")?))
+}
+
+/// Whether Rust's standard library for a browser is there.
+fn has_target() -> bool {
+    let rustc = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    let folder =
+        Command::new(rustc).args(["--print", "target-libdir", "--target", TARGET]).output();
+    folder.is_ok_and(|folder| Path::new(String::from_utf8_lossy(&folder.stdout).trim()).exists())
+}

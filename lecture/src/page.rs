@@ -1,0 +1,363 @@
+use std::fmt::Write as _;
+use std::rc::Rc;
+use std::str::FromStr;
+
+use common::Area;
+use common::Canvas;
+use common::Explanation;
+use common::Frame;
+use common::Handle;
+use common::Make;
+use common::Outcome;
+use common::Outside;
+use common::Pixel;
+use common::Setting;
+use common::Setup;
+use common::Sight;
+use common::Size;
+use common::Value;
+use common::View;
+use common::drag;
+use common::draw_vectors;
+use common::encode;
+use common::handle_at;
+use common::symbol_ink;
+use image::RgbImage;
+
+use crate::PROGRAMS;
+
+/// All that the page in a browser knows: the step that is shown, and what was changed in it.
+///
+/// It is asked by commands of one line, and answers in lines whose fields are separated by tabs, or
+/// with the bytes of a picture. Numbers that are none, steps and controls that there are not, and
+/// pictures too large are errors, never panics.
+pub struct Page {
+    step: usize,
+    setup: Setup,
+    /// The step before, with the same changes; none before the first.
+    before: Option<Setup>,
+    /// From where the camera is seen from outside, if it is.
+    onlooker: Option<View>,
+}
+
+impl Default for Page {
+    /// The first step, as it starts.
+    fn default() -> Self {
+        Self { step: 0, setup: Setup::new(make(0)), before: None, onlooker: None }
+    }
+}
+
+/// The most pixels of a picture on the page.
+const MAX_PIXELS: usize = 4_000_000;
+
+/// What the names of the onlooker's controls begin with.
+const OUTSIDE: &str = "outside.";
+
+fn make(step: usize) -> Make {
+    Rc::new(PROGRAMS[step].make)
+}
+
+/// The words of a command, taken one after the other.
+struct Words<'a>(std::str::SplitWhitespace<'a>);
+
+impl<'a> Words<'a> {
+    fn word(&mut self) -> Result<&'a str, String> {
+        self.0.next().ok_or_else(|| "the command ends too early".to_owned())
+    }
+
+    fn number<T: FromStr>(&mut self) -> Result<T, String> {
+        let word = self.word()?;
+        word.parse().map_err(|_| format!("'{word}' is not a number that can be used here"))
+    }
+
+    fn finite(&mut self) -> Result<f32, String> {
+        let number: f32 = self.number()?;
+        if number.is_finite() { Ok(number) } else { Err(format!("{number} is no number to go by")) }
+    }
+
+    fn size(&mut self) -> Result<Size, String> {
+        let size = Size::new(self.number()?, self.number()?).map_err(|error| error.to_string())?;
+        match size.width() * size.height() {
+            ..=MAX_PIXELS => Ok(size),
+            _ => Err(format!("a picture on the page has at most {MAX_PIXELS} pixels")),
+        }
+    }
+
+    fn step(&mut self) -> Result<usize, String> {
+        let number: usize = self.number()?;
+        match number {
+            1.. if number <= PROGRAMS.len() => Ok(number - 1),
+            _ => Err(format!("there is no step {number}; there are 1 to {}", PROGRAMS.len())),
+        }
+    }
+}
+
+impl Page {
+    /// Does what `command` says and tells what came of it.
+    ///
+    /// | command | what it does |
+    /// |---|---|
+    /// | `open N` | shows step N, 1 to 7, as it starts |
+    /// | `step N` | goes to step N and takes all changes along |
+    /// | `set NAME VALUE` | as `--set` does |
+    /// | `fraction NAME F` | moves a slider to F of its range |
+    /// | `nudge NAME STEPS` | moves a slider as a key does |
+    /// | `reset NAME`, `reset` | gives one control or all of them their first value back |
+    /// | `orbit RIGHT UP`, `zoom FACTOR` | moves the camera, or the onlooker if there is one |
+    /// | `outside on\|off` | sees the camera from outside, or as it is; `set outside.azimuth 20` |
+    /// | `drag WIDTH HEIGHT PLACE U V` | moves the handle that `grab` named to (u, v) |
+    /// | `state` | the step, its controls, what is changed, and the program's command |
+    /// | `explain WIDTH HEIGHT COL,ROW` | how that pixel comes by its colour |
+    /// | `grab WIDTH HEIGHT X Y REACH` | the handle that is there, if one is |
+    /// | `rows now\|before WIDTH HEIGHT FIRST COUNT` | rows of the picture, three bytes a pixel |
+    /// | `show now\|before WIDTH HEIGHT COLS ROWS TEXT PIXEL VECTORS HANDLES`, the picture's bytes below | that picture with COLS × ROWS pixels made WIDTH × HEIGHT, and what is drawn over it: four bytes a pixel |
+    ///
+    /// In `show`, TEXT is the letters' height in pixels, PIXEL `COL,ROW` or `-`, and the last two
+    /// are 1 or 0.
+    ///
+    /// # Errors
+    ///
+    /// When it cannot be done: why, in one line. Then nothing changes.
+    pub fn answer(&mut self, command: &[u8]) -> Result<Vec<u8>, String> {
+        let end = command.iter().position(|byte| *byte == b'\n').unwrap_or(command.len());
+        let (line, bytes) = command.split_at(end);
+        let line = str::from_utf8(line).map_err(|_| "a command is text".to_owned())?;
+        let mut words = Words(line.split_whitespace());
+        match words.word()? {
+            "open" => {
+                self.step = words.step()?;
+                self.setup = Setup::new(make(self.step));
+                self.onlooker = None;
+            }
+            "step" => {
+                self.step = words.step()?;
+                self.setup = self.setup.carried_to(make(self.step));
+            }
+            "set" => {
+                let (name, value) = (words.word()?, words.word()?);
+                self.set(name, value)?;
+            }
+            "fraction" => self.setup.set_fraction(words.word()?, words.number()?),
+            "nudge" => self.setup.nudge(words.word()?, words.number()?),
+            "reset" => match words.word() {
+                Ok(name) => self.setup.reset(name),
+                Err(_) => self.setup.reset_all(),
+            },
+            "orbit" => {
+                let (right, up) = (words.finite()?, words.finite()?);
+                match &mut self.onlooker {
+                    Some(onlooker) => onlooker.orbit(right, up),
+                    None => self.setup.orbit(right, up),
+                }
+            }
+            "zoom" => {
+                let factor = words.finite()?;
+                match &mut self.onlooker {
+                    Some(onlooker) => onlooker.zoom(factor),
+                    None => self.setup.zoom(factor),
+                }
+            }
+            "outside" => {
+                let on = words.word()? == "on";
+                self.onlooker = on.then(|| Outside::onlooker(self.setup.view()));
+            }
+            "drag" => {
+                let (size, place) = (words.size()?, words.number::<usize>()?);
+                let (u, v) = (words.finite()?, words.finite()?);
+                let points = self.setup.points();
+                let handle = points.get(place).ok_or("there is no such handle")?;
+                let camera = self.seen_from(&self.setup).camera(size.aspect());
+                self.setup.move_point(handle, drag(&*camera, handle.position, (u, v)));
+            }
+            "state" => return Ok(self.state().into_bytes()),
+            "explain" => return Ok(self.explain(&mut words)?.into_bytes()),
+            "grab" => return self.grab(&mut words),
+            "rows" => return self.rows(&mut words),
+            "show" => return self.show(&mut words, bytes.get(1..).unwrap_or_default()),
+            other => return Err(format!("there is no command '{other}'")),
+        }
+        self.before = self.step.checked_sub(1).map(|before| self.setup.carried_to(make(before)));
+        Ok(Vec::new())
+    }
+
+    fn set(&mut self, name: &str, value: &str) -> Result<(), String> {
+        let Some(name) = name.strip_prefix(OUTSIDE) else {
+            return self.setup.set(name, value).map_err(|error| error.to_string());
+        };
+        let start = || Outside::onlooker(self.setup.view());
+        let mut onlooker = self.onlooker.clone().unwrap_or_else(start);
+        match onlooker.controls().named(name) {
+            Some(control) => control.set(value).map_err(|refused| refused.to_string())?,
+            None => return Err(format!("there is no control '{OUTSIDE}{name}'")),
+        }
+        self.onlooker = Some(onlooker);
+        Ok(())
+    }
+
+    /// What is changed, as it stands in an address.
+    fn changes(&self) -> Vec<String> {
+        let mut changes = self.setup.settings();
+        if let Some(onlooker) = &self.onlooker {
+            changes.push("outside=on".to_owned());
+            let (mut start, mut onlooker) =
+                (Outside::onlooker(self.setup.view()), onlooker.clone());
+            for (start, control) in start.controls().iter().zip(onlooker.controls().iter()) {
+                if start.exact() != control.exact() {
+                    changes.push(format!("{OUTSIDE}{}={}", control.name, control.exact()));
+                }
+            }
+        }
+        changes
+    }
+
+    fn state(&mut self) -> String {
+        let name = PROGRAMS[self.step].name;
+        let mut text = format!("step\t{}\t{name}\ncommand\tcargo run -p {name} --", self.step + 1);
+        for setting in self.setup.settings() {
+            let _ = write!(text, " --set {setting}");
+        }
+        text.push('\n');
+        for change in self.changes() {
+            let _ = writeln!(text, "change\t{change}");
+        }
+        for setting in self.setup.list() {
+            let Setting { name, group, text: value, fraction, takes, options, changed, .. } =
+                setting;
+            let (options, changed) = (options.join("|"), u8::from(changed));
+            let _ = writeln!(
+                text,
+                "setting\t{name}\t{group}\t{value}\t{fraction}\t{takes}\t{options}\t{changed}"
+            );
+        }
+        text
+    }
+
+    /// The step now or the one before.
+    fn layer(&self, words: &mut Words<'_>) -> Result<&Setup, String> {
+        match words.word()? {
+            "now" => Ok(&self.setup),
+            "before" => self.before.as_ref().ok_or("there is no step before the first".to_owned()),
+            other => Err(format!("'{other}' is neither now nor before")),
+        }
+    }
+
+    /// From where a picture of `setup` is taken.
+    fn seen_from<'a>(&'a self, setup: &'a Setup) -> &'a View {
+        self.onlooker.as_ref().unwrap_or(setup.view())
+    }
+
+    fn rows(&self, words: &mut Words<'_>) -> Result<Vec<u8>, String> {
+        let setup = self.layer(words)?;
+        let size = words.size()?;
+        let (first, count): (usize, usize) = (words.number()?, words.number()?);
+        if first.checked_add(count).is_none_or(|end| end > size.height()) {
+            return Err(format!("there are no {count} rows from {first} on in a {size} picture"));
+        }
+        let camera = self.seen_from(setup).camera(size.aspect());
+        let mut rgb = vec![0; 3 * size.width() * count];
+        Frame { step: setup.step(), camera: &*camera, size, samples: 1 }
+            .render_rows(first, &mut rgb);
+        Ok(rgb)
+    }
+
+    /// The points that can be dragged; the same ones for now and before, as far as both have them.
+    fn grab(&mut self, words: &mut Words<'_>) -> Result<Vec<u8>, String> {
+        let size = words.size()?;
+        let (x, y, reach) = (words.finite()?, words.finite()?, words.finite()?);
+        let handles = self.setup.points();
+        let camera = self.seen_from(&self.setup).camera(size.aspect());
+        let sight = Sight { step: self.setup.step(), camera: &*camera, area: area(size) };
+        let place = handle_at(&sight, &handles, (x, y), reach);
+        Ok(place.map_or(String::new(), |place| place.to_string()).into_bytes())
+    }
+
+    fn show(&mut self, words: &mut Words<'_>, rgb: &[u8]) -> Result<Vec<u8>, String> {
+        let handles = self.setup.points();
+        let setup = self.layer(words)?;
+        let (size, drawn) = (words.size()?, words.size()?);
+        let text_size: f32 = words.finite()?;
+        let pixel = match words.word()? {
+            "-" => None,
+            pixel => Some(pixel_of(pixel, size)?),
+        };
+        let (vectors, handles_too) = (words.word()? == "1", words.word()? == "1");
+        let (cols, rows) = (drawn.width() as u32, drawn.height() as u32);
+        let mut picture = RgbImage::from_raw(cols, rows, rgb.to_vec())
+            .filter(|_| rgb.len() == 3 * drawn.width() * drawn.height())
+            .ok_or_else(|| format!("these are not the bytes of a {drawn} picture"))?;
+        if size != drawn {
+            let mut larger = RgbImage::new(size.width() as u32, size.height() as u32);
+            Canvas::new(&mut larger).picture(&picture, area(size));
+            picture = larger;
+        }
+        let (view, step) = (setup.view(), setup.step());
+        let camera = view.camera(size.aspect());
+        let explanation = pixel.filter(|_| vectors).map(|pixel| step.explain(&*camera, pixel));
+        let handles: &[Handle] = if handles_too { &handles } else { &[] };
+        let mut canvas = Canvas::new(&mut picture);
+        if let Some(onlooker) = &self.onlooker {
+            let onlooker = onlooker.camera(size.aspect());
+            let outside = Outside { step, view, onlooker: &*onlooker, area: area(size) };
+            outside.draw(&mut canvas, explanation.as_ref(), handles, text_size);
+        } else if explanation.is_some() || handles_too {
+            let sight = Sight { step, camera: &*camera, area: area(size) };
+            draw_vectors(&mut canvas, sight, explanation.as_ref(), handles, text_size);
+        }
+        Ok(picture.pixels().flat_map(|pixel| [pixel[0], pixel[1], pixel[2], 255]).collect())
+    }
+
+    fn explain(&self, words: &mut Words<'_>) -> Result<String, String> {
+        let size = words.size()?;
+        let pixel = pixel_of(words.word()?, size)?;
+        let camera = self.setup.view().camera(size.aspect());
+        let explanation = self.setup.step().explain(&*camera, pixel);
+        Ok(lines(&explanation))
+    }
+}
+
+fn area(size: Size) -> Area {
+    let (width, height) = (size.width() as f32, size.height() as f32);
+    Area { left: 0.0, top: 0.0, width, height }
+}
+
+/// The pixel `COL,ROW` of a picture of this size.
+fn pixel_of(text: &str, size: Size) -> Result<Pixel, String> {
+    let (width, height) = (size.width(), size.height());
+    let numbers =
+        text.split_once(',').and_then(|(col, row)| Some((col.parse().ok()?, row.parse().ok()?)));
+    match numbers {
+        Some((col, row)) if col < width && row < height => Ok(Pixel { col, row, width, height }),
+        _ => Err(format!("there is no pixel {text} in a {size} picture")),
+    }
+}
+
+/// A line for each section, group and line of `explanation`, and one for the colour that is seen.
+fn lines(explanation: &Explanation) -> String {
+    let texts = |value: &Value| value.texts().join("\t");
+    let mut text = String::new();
+    for section in &explanation.sections {
+        let _ = writeln!(text, "section\t{}", section.name);
+        for group in &section.groups {
+            let outcome = match group.outcome {
+                Outcome::Told => String::new(),
+                Outcome::Missed(why, condition) => format!("{why}: {condition}"),
+                Outcome::Closest(t) | Outcome::Farther(t) => {
+                    format!("t ={}", Value::Number(t))
+                }
+            };
+            let open = u8::from(group.is_open());
+            let _ = writeln!(text, "group\t{}\t{open}\t{outcome}", group.name);
+            for line in &group.lines {
+                let (symbol, value) = (line.symbol(), texts(&line.value));
+                let ink = symbol_ink(symbol).map_or(String::new(), |ink| {
+                    let [r, g, b] = ink.rgb;
+                    format!("#{r:02x}{g:02x}{b:02x}")
+                });
+                let _ = writeln!(text, "line\t{}\t{symbol}\t{ink}\t{value}", line.equation);
+            }
+        }
+    }
+    let [r, g, b] = encode(explanation.color);
+    let _ = writeln!(text, "seen\t{r}\t{g}\t{b}");
+    text
+}

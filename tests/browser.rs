@@ -1,0 +1,165 @@
+//! A browser without a screen, driven as a hand would.
+
+use std::io::BufRead;
+use std::io::BufReader;
+use std::io::Read;
+use std::io::Write;
+use std::net::TcpStream;
+use std::process::Child;
+use std::process::Command;
+use std::process::Stdio;
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use image::RgbImage;
+use serde_json::Value;
+use serde_json::json;
+
+/// Chromium, and the program that drives it.
+pub(crate) struct Browser {
+    driver: Child,
+    port: u16,
+    session: String,
+}
+
+impl Browser {
+    /// A browser whose window is so large, in CSS pixels.
+    pub(crate) fn new(width: u32, height: u32) -> Self {
+        let mut driver = Command::new("chromedriver")
+            .arg("--port=0")
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("chromedriver runs: apt-get install chromium chromium-driver");
+        let lines = BufReader::new(driver.stdout.take().expect("it is piped")).lines();
+        let port = lines
+            .map_while(Result::ok)
+            .find_map(|line| {
+                line.split("successfully on port ").nth(1)?.trim_end_matches('.').parse().ok()
+            })
+            .expect("chromedriver says its port");
+        let mut browser = Self { driver, port, session: String::new() };
+        // Whoever is root has no sandbox; what is opened is our own.
+        let arguments = ["--headless=new", "--no-sandbox", "--hide-scrollbars"];
+        let wish = json!({"capabilities": {"alwaysMatch": {
+            "goog:loggingPrefs": {"browser": "ALL"},
+            "goog:chromeOptions": {"args": arguments},
+        }}});
+        let session = browser.ask("POST", "/session", &wish);
+        browser.session = format!("/session/{}", text(&session["sessionId"]));
+        browser.resize(width, height);
+        browser
+    }
+
+    /// One exchange with the driver.
+    fn ask(&self, method: &str, path: &str, body: &Value) -> Value {
+        let mut stream = TcpStream::connect(("127.0.0.1", self.port)).expect("the driver listens");
+        let body = if method == "POST" { body.to_string() } else { String::new() };
+        let head = format!(
+            "{method} {path} HTTP/1.1\r\nHost: localhost\r\nContent-Length: {}\r\n\r\n",
+            body.len()
+        );
+        stream.write_all(format!("{head}{body}").as_bytes()).expect("the driver reads");
+        // It keeps the connection, so the end is where the head says.
+        let mut reader = BufReader::new(stream);
+        let mut length = 0;
+        loop {
+            let mut line = String::new();
+            reader.read_line(&mut line).expect("the driver answers");
+            if line.trim().is_empty() {
+                break;
+            }
+            if let Some(found) = line.to_lowercase().strip_prefix("content-length:") {
+                length = found.trim().parse().expect("a length");
+            }
+        }
+        let mut answer = vec![0; length];
+        reader.read_exact(&mut answer).expect("the whole answer");
+        let answer: Value = serde_json::from_slice(&answer).expect("an answer in JSON");
+        let value = answer["value"].clone();
+        assert!(value["error"].is_null(), "{method} {path}: {}", value["message"]);
+        value
+    }
+
+    fn post(&self, path: &str, body: &Value) -> Value {
+        self.ask("POST", &format!("{}{path}", self.session), body)
+    }
+
+    /// What only Chromium's own protocol can do.
+    pub(crate) fn tell(&self, command: &str, parameters: &Value) {
+        self.post("/goog/cdp/execute", &json!({"cmd": command, "params": parameters}));
+    }
+
+    /// Makes the window so large, in CSS pixels.
+    pub(crate) fn resize(&self, width: u32, height: u32) {
+        let metrics = json!({"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 500});
+        self.tell("Emulation.setDeviceMetricsOverride", &metrics);
+    }
+
+    /// Runs `script` in every page that is opened from now on, before the page's own.
+    pub(crate) fn before_each_page(&self, script: &str) {
+        self.tell("Page.addScriptToEvaluateOnNewDocument", &json!({"source": script}));
+    }
+
+    /// Opens an address anew, also when only its end differs.
+    pub(crate) fn open(&self, address: &str) {
+        self.post("/url", &json!({"url": "about:blank"}));
+        self.post("/url", &json!({"url": address}));
+    }
+
+    /// What `script` returns.
+    pub(crate) fn run(&self, script: &str) -> Value {
+        self.post("/execute/sync", &json!({"script": script, "args": []}))
+    }
+
+    /// What `script` hands to `done`.
+    pub(crate) fn wait_for(&self, script: &str) -> Value {
+        let script = format!("const done = arguments[0]; {script}");
+        self.post("/execute/async", &json!({"script": script, "args": []}))
+    }
+
+    /// The text that `script` returns.
+    pub(crate) fn text(&self, script: &str) -> String {
+        text(&self.run(script))
+    }
+
+    /// Hands on the pointer or keyboard: see `Actions` of the WebDriver standard.
+    pub(crate) fn act(&self, actions: &Value) {
+        self.post("/actions", &json!({"actions": actions}));
+    }
+
+    /// Presses a key and lets it go; named keys are the standard's private characters.
+    pub(crate) fn key(&self, key: &str) {
+        let keys =
+            [json!({"type": "keyDown", "value": key}), json!({"type": "keyUp", "value": key})];
+        self.act(&json!([{"type": "key", "id": "keyboard", "actions": keys}]));
+    }
+
+    /// What the page's script drew on the canvas `id`.
+    pub(crate) fn canvas(&self, id: &str) -> RgbImage {
+        let address = self.text(&format!("return $('{id}').toDataURL('image/png')"));
+        let png = STANDARD.decode(address.split_once(',').expect("a data address").1);
+        image::load_from_memory(&png.expect("base64")).expect("a PNG").to_rgb8()
+    }
+
+    /// What is in the console, of errors and warnings.
+    pub(crate) fn complaints(&self) -> Vec<String> {
+        let log = self.post("/se/log", &json!({"type": "browser"}));
+        log.as_array().into_iter().flatten().map(Value::to_string).collect()
+    }
+}
+
+impl Drop for Browser {
+    fn drop(&mut self) {
+        // With a slash at its end the browser would be left behind.
+        if !std::thread::panicking() {
+            self.ask("DELETE", &self.session, &Value::Null);
+        }
+        let _ = self.driver.kill();
+        let _ = self.driver.wait();
+    }
+}
+
+fn text(value: &Value) -> String {
+    value.as_str().unwrap_or_else(|| panic!("text instead of {value}")).to_owned()
+}
