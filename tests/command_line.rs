@@ -83,7 +83,7 @@ const WRONG: &[(&[&str], &[&str])] = &[
     (&["--set", "fov=0", "--set", "fov=40"], &["'fov' cannot be '0'"]),
     (&["--camera", "wide"], &["'wide'", "--camera", "perspective, parallel"]),
     (&["--camera", "Parallel"], &["'Parallel'", "perspective, parallel"]),
-    (&["--camera", "paralel"], &["'paralel'", "similar value", "'parallel'"]),
+    (&["--camera", "paralel"], &["'paralel'", "similar", "'parallel'"]),
     (&["--camera", ""], &["--camera", "perspective, parallel"]),
     (&["--camera"], &["--camera <KIND>", "perspective, parallel"]),
     (
