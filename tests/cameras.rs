@@ -199,6 +199,41 @@ fn both_cameras_show_the_same_height_at_the_target() {
 }
 
 #[test]
+fn a_field_of_view_is_taken_into_its_range() {
+    let through = |angle| {
+        PLACES.map(|at| ray_at(&PerspectiveCamera::new(EYE, TARGET, Vec3::Y, angle, 1.5), at))
+    };
+    for (angle, taken) in
+        [(-40.0, 1.0), (0.0, 1.0), (f32::NEG_INFINITY, 1.0), (180.0, 170.0), (f32::INFINITY, 170.0)]
+    {
+        assert_eq!(through(angle), through(taken), "{angle}° is taken to {taken}°");
+    }
+}
+
+#[test]
+fn a_camera_without_a_direction_takes_another() {
+    let offsets = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z, -1e-6 * Vec3::Y, 1e6 * Vec3::Y];
+    for up in [Vec3::X, Vec3::Y, Vec3::Z, Vec3::ZERO, -1e-30 * Vec3::Y, 1e30 * Vec3::Y] {
+        for offset in offsets {
+            let cameras: [&dyn Camera; 2] = [
+                &PerspectiveCamera::new(EYE, EYE - offset, up, 40.0, 1.5),
+                &OrthographicCamera::new(EYE, EYE - offset, up, 40.0, 1.5),
+            ];
+            for camera in cameras {
+                let [center, a, b, c, _] = PLACES.map(|place| ray_at(camera, place));
+                let why = format!("up {up}, the target {offset} away");
+                near("|d|", center.direction.length(), 1.0, &why);
+                let area = (b.at(1.0) - a.at(1.0)).cross(c.at(1.0) - a.at(1.0)).length();
+                assert!(area > 0.1, "{why}: the picture has no area");
+                if offset == Vec3::ZERO {
+                    near("d", center.direction, Vec3::NEG_Z, "eye = target looks along −z");
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn an_up_along_the_line_of_sight_is_replaced() {
     for (backward, up, right) in [
         // z in place of y, and x in place of z.

@@ -8,11 +8,6 @@ use proptest::test_runner::RngSeed;
 const CASES: &str = "PROPTEST_CASES";
 const SEED: &str = "PROPTEST_RNG_SEED";
 
-/// Whether other cases than usual are asked for, by `PROPTEST_CASES` or `PROPTEST_RNG_SEED`.
-pub fn is_a_search() -> bool {
-    [CASES, SEED].iter().any(|variable| env::var_os(variable).is_some())
-}
-
 /// A run of `cases`, always the same, unless the variables say otherwise; it writes no file.
 pub fn config(cases: u32) -> Config {
     let mut config = Config { failure_persistence: None, ..Config::default() };

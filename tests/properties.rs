@@ -1,8 +1,6 @@
 //! What holds for any ray, scene and light.
 //!
-//! The cases are always the same, and those of `properties.regressions` are tried first, which once
-//! failed. `PROPTEST_CASES` makes them more and `PROPTEST_RNG_SEED` different; what fails then is
-//! added to that file.
+//! The cases are always the same; `PROPTEST_CASES` makes them more and `PROPTEST_RNG_SEED` different.
 
 use common::Color;
 use common::Ray;
@@ -16,14 +14,10 @@ use proptest::prop_oneof;
 use proptest::sample::select;
 use proptest::strategy::Strategy;
 use proptest::test_runner::Config;
-use proptest::test_runner::FailurePersistence;
-use proptest::test_runner::FileFailurePersistence;
-use proptest::test_runner::MapFailurePersistence;
 use proptest::test_runner::TestCaseError;
 use proptest::test_runner::TestCaseResult;
 use proptest::test_runner::TestRunner;
 use tests::chance::config;
-use tests::chance::is_a_search;
 use tests::checks;
 use tests::every_step::Ball;
 use tests::every_step::Hit;
@@ -43,38 +37,18 @@ checks!(triangles { hits_lie_on_the_triangle });
 
 checks!(scenes { the_closest_hit_is_that_of_brute_force });
 
-checks!(lights { light_is_linear_in_i_and_k, no_finite_scene_has_a_colour_that_is_none });
+checks!(lights { no_finite_scene_has_a_colour_that_is_none });
 
-checks!(shadows { light_is_the_sum_of_its_parts, visibility_is_mutual });
+checks!(shadows { visibility_is_mutual });
 
 /// Tries `property` of the step on values of `strategy`; a failure prints the simplest that fails.
 fn hold<S: Package, T: Strategy>(strategy: T, property: impl Fn(T::Value) -> TestCaseResult) {
     let config = config(256);
-    let persistence: Box<dyn FailurePersistence> = if is_a_search() {
-        Box::new(FileFailurePersistence::WithSource("regressions"))
-    } else {
-        Box::new(once_failed())
-    };
-    let config = Config {
-        // Some cases are left out, as each property says.
-        max_global_rejects: config.cases.saturating_mul(4),
-        failure_persistence: Some(persistence),
-        source_file: Some(file!()),
-        ..config
-    };
-    let result = TestRunner::new(config).run(&strategy, property);
-    if let Err(error) = result {
+    // Some cases are left out, as each property says.
+    let config = Config { max_global_rejects: config.cases.saturating_mul(4), ..config };
+    if let Err(error) = TestRunner::new(config).run(&strategy, property) {
         panic!("{}: {error}", S::NAME);
     }
-}
-
-/// The cases of `properties.regressions`, to be read and not written.
-fn once_failed() -> MapFailurePersistence {
-    let lines = include_str!("properties.regressions").lines();
-    let seeds = lines.map(|line| line.split('#').next().unwrap_or(line).trim());
-    let seeds = seeds.filter(|seed| !seed.is_empty());
-    let seeds = seeds.map(|seed| seed.parse().expect("a seed as it is written there"));
-    MapFailurePersistence { map: [(file!(), seeds.collect())].into() }
 }
 
 /// Points whose coordinates lie within ±`size`.
@@ -98,6 +72,12 @@ fn towards(ray: &Ray, target: Vec3) -> Ray {
     let d = target - ray.origin;
     let d = if d.length() > 0.01 { d.normalize() } else { Vec3::X };
     Ray::new(ray.origin, d * ray.direction.length())
+}
+
+/// What is tiny, or far, or a ground that looks flat.
+fn any_ball() -> impl Strategy<Value = Ball> {
+    (point(10.0), -3.0..4.0_f32)
+        .prop_map(|(center, power)| Ball { center, radius: 10.0_f32.powf(power) })
 }
 
 fn ball() -> impl Strategy<Value = Ball> {
@@ -129,15 +109,12 @@ fn off_surface(lengths: f32) -> f32 {
 /// within 20, and its plane tilted by that over the least height, a tenth of its length.
 const EDGES: f32 = 10.0 * 20.0;
 
-/// Outside and inside are looked at this far from the surface, along the normal.
-const BESIDE: f64 = 1e-3;
-
 fn hits_lie_on_the_sphere<S: Spheres>() {
-    hold::<S, _>((ball(), ray(), point(1.2)), |(ball, ray, near)| {
+    hold::<S, _>((any_ball(), ray(), point(1.2)), |(ball, ray, near)| {
         let ray = towards(&ray, ball.center + ball.radius * near);
         let Some(hit) = S::sphere(ball, &ray, 0.0, f32::INFINITY) else { return Ok(()) };
         let lengths = [ray.origin, hit.t * ray.direction, ball.center].map(|v| v.length());
-        let tolerance = off_surface(lengths.iter().sum::<f32>() + ball.radius);
+        let tolerance = f64::from(off_surface(lengths.iter().sum::<f32>() + ball.radius));
         let center = ball.center.as_dvec3();
         let radius = f64::from(ball.radius);
         let height = |beside: f64| {
@@ -147,11 +124,12 @@ fn hits_lie_on_the_sphere<S: Spheres>() {
         prop_assert!(hit.t > 0.0 && hit.t.is_finite(), "t > 0 makes a ray of the line: {hit:?}");
         let off = height(0.0);
         prop_assert!(
-            off.abs() <= f64::from(tolerance),
+            off.abs() <= tolerance,
             "the point of {hit:?} is {off:e} off the sphere, and at most {tolerance:e} is rounding"
         );
-        prop_assert!(height(BESIDE) > 0.0, "the normal of {hit:?} should point outside");
-        prop_assert!(height(-BESIDE) < 0.0, "against the normal of {hit:?} should be inside");
+        let beside = 2.0 * tolerance;
+        prop_assert!(height(beside) > 0.0, "the normal of {hit:?} should point outside");
+        prop_assert!(height(-beside) < 0.0, "against the normal of {hit:?} should be inside");
         unit_normal(&hit)
     });
 }
@@ -176,24 +154,24 @@ fn hits_lie_on_the_triangle<S: Triangles>() {
         // The smaller the angle to the plane, the further the ray goes while it is hardly above it.
         prop_assume!(cosine > 0.01);
         let lengths = ray.origin.length() + (hit.t * ray.direction).length() + EDGES;
-        let tolerance = off_surface(lengths);
+        let tolerance = f64::from(off_surface(lengths));
         let height =
             |beside: f64| (hit.point.as_dvec3() + beside * hit.normal.as_dvec3() - a).dot(normal);
         prop_assert!(hit.t > 0.0 && hit.t.is_finite(), "t > 0 makes a ray of the line: {hit:?}");
         let off = height(0.0);
         prop_assert!(
-            off.abs() <= f64::from(tolerance),
+            off.abs() <= tolerance,
             "the point of {hit:?} is {off:e} off the plane, and at most {tolerance:e} is rounding"
         );
-        prop_assert!(height(BESIDE) > 0.0, "the normal of {hit:?} is (b − a) × (c − a)");
-        prop_assert!(height(-BESIDE) < 0.0, "the normal of {hit:?} is (b − a) × (c − a)");
+        let above = height(2.0 * tolerance) > 0.0 && height(-2.0 * tolerance) < 0.0;
+        prop_assert!(above, "the normal of {hit:?} is (b − a) × (c − a)");
         let Some((_, weights)) = S::solve(abc, &ray) else {
             return Err(TestCaseError::fail("a triangle that is hit has a solution"));
         };
         let [x, y, z] = weights.to_array().map(f64::from);
         let off = (x * a + y * b + z * c - hit.point.as_dvec3()).length();
         // In the plane the point moves by its distance from the plane over the angle's sine.
-        let tolerance = f64::from(tolerance) / cosine;
+        let tolerance = tolerance / cosine;
         prop_assert!(off <= tolerance, "α a + β b + γ c is {off:e} off the point of {hit:?}");
         unit_normal(&hit)
     });
@@ -311,85 +289,6 @@ fn the_closest_hit_is_that_of_brute_force<S: Scenes>() {
             );
         }
         Ok(())
-    });
-}
-
-fn channel() -> impl Strategy<Value = f32> {
-    0.0..1.0_f32
-}
-
-fn color() -> impl Strategy<Value = Color> {
-    [channel(), channel(), channel()].prop_map(Color::from)
-}
-
-fn paint() -> impl Strategy<Value = Paint> {
-    (color(), color(), channel(), 0.0..3.0_f32, any::<bool>()).prop_map(
-        |(k_a, k_d, k_s, power, phong)| {
-            let exponent = 10.0_f32.powf(power);
-            Paint { k_a, k_d, k_s, exponent, phong }
-        },
-    )
-}
-
-fn light() -> impl Strategy<Value = Light> {
-    (point(10.0), 0.0..100.0_f32, any::<bool>())
-        .prop_map(|(position, intensity, attenuation)| Light { position, intensity, attenuation })
-}
-
-/// A world in which `ray` hits a sphere of `paint` first, if nothing else is in its way.
-fn shaded() -> impl Strategy<Value = (World, Ray)> {
-    let surroundings = (world(), vec(light(), 1..4), 0.0..2.0_f32);
-    (surroundings, (ball(), paint()), ray(), point(0.7)).prop_map(
-        |((world, lights, ambient), sphere, ray, near)| {
-            let ray = towards(&ray, sphere.0.center + sphere.0.radius * near);
-            let spheres = world.spheres.into_iter().chain([sphere]).collect();
-            (World { spheres, lights, ambient, ..world }, ray)
-        },
-    )
-}
-
-/// `a` equals `b` but for `roundings` halves of the last bit of their largest channel.
-fn equal(a: Color, b: Color, roundings: f32, why: &str) -> TestCaseResult {
-    let tolerance = roundings * f32::EPSILON / 2.0 * a.max(b).max_element();
-    // Below the smallest normal number there are fewer bits.
-    let tolerance = tolerance.max(f32::MIN_POSITIVE);
-    let off = (a - b).abs().max_element();
-    prop_assert!(off <= tolerance, "{a} is not {b} within {tolerance:e}: {why}");
-    Ok(())
-}
-
-fn light_is_linear_in_i_and_k<S: Lights>() {
-    hold::<S, _>((shaded(), 0.1..10.0_f32), |((world, ray), factor)| {
-        let look = |world: &World| S::trace(&S::scene(world), &ray);
-        let color = look(&world);
-        let mut brighter = world.clone();
-        brighter.lights.iter_mut().for_each(|light| light.intensity *= factor);
-        brighter.ambient *= factor;
-        let mut lighter = world.clone();
-        let spheres = lighter.spheres.iter_mut().map(|(_, paint)| paint);
-        let triangles = lighter.triangles.iter_mut().map(|(_, paint)| paint);
-        for paint in spheres.chain(triangles) {
-            paint.k_a *= factor;
-            paint.k_d *= factor;
-            paint.k_s *= factor;
-        }
-        // Of at most three lights each has two products and two sums on its way, and the factor
-        // rounds twice more.
-        let roundings = 16.0;
-        equal(look(&brighter), color * factor, roundings, "light is linear in I and I_a")?;
-        equal(look(&lighter), color * factor, roundings, "light is linear in k_a, k_d and k_s")
-    });
-}
-
-fn light_is_the_sum_of_its_parts<S: Shadows>() {
-    hold::<S, _>(shaded(), |(world, ray)| {
-        let look = |world: &World| S::trace(&S::scene(world), &ray);
-        let mut sum = look(&World { lights: Vec::new(), ..world.clone() });
-        for light in &world.lights {
-            sum += look(&World { lights: vec![*light], ambient: 0.0, ..world.clone() });
-        }
-        // Three lights and the ambient one, added up one by one and in pairs.
-        equal(look(&world), sum, 8.0, "L = L_a + the sum of L_d + L_s")
     });
 }
 

@@ -357,38 +357,6 @@ fn the_highlight_is_a_power_of_the_cosine() {
 }
 
 #[test]
-fn the_highlight_peaks_where_v_is_l_mirrored_in_n() {
-    for phong in [false, true] {
-        for exponent in [1.0, 10.0, 100.0, 1000.0] {
-            let peak = highlight(0.0, exponent, phong).x;
-            let mut last = peak;
-            for off in (2..=50).step_by(2).map(|off| off as f32) {
-                let sides = [off, -off].map(|off| highlight(off, exponent, phong).x);
-                assert!(
-                    sides.iter().all(|&side| side < last || side == 0.0),
-                    "step07_specular: the highlight falls on both sides of the mirror direction, \
-                     p = {exponent}, {off}° off: {sides:?}, nearer to it {last}, peak {peak}"
-                );
-                last = sides[0].max(sides[1]);
-            }
-        }
-    }
-}
-
-#[test]
-fn the_highlight_narrows_as_p_grows() {
-    for phong in [false, true] {
-        // The first whole degree at which less than half of the peak is left.
-        let widths = [8.0, 32.0, 128.0, 512.0].map(|exponent| {
-            let half = highlight(0.0, exponent, phong).x / 2.0;
-            (1..60).find(|&off| highlight(off as f32, exponent, phong).x < half).unwrap_or(60)
-        });
-        let narrows = widths.is_sorted_by(|wider, narrower| wider > narrower);
-        assert!(narrows, "step07_specular: p = 8, 32, 128, 512 gives half-widths of {widths:?}°");
-    }
-}
-
-#[test]
 fn a_light_behind_the_surface_adds_no_highlight() {
     // Just below the surface's horizon, so that h still lies above it, and in it: cos² of half a
     // right angle would be ½.
