@@ -180,8 +180,9 @@ fn a_view_turns_round_and_stops_over_the_poles() {
 #[test]
 fn both_cameras_show_the_same_height_at_the_target() {
     for angle in [-40.0, 0.0, 0.5, 1.0, 38.0, 120.0, 170.0, 175.0, 1e9] {
-        for aspect in ASPECTS {
+        for (aspect, zoom) in ASPECTS.into_iter().zip([1.0, 0.5, 3.0].into_iter().cycle()) {
             let mut view = View::new(EYE, TARGET, angle);
+            view.zoom(zoom);
             let perspective = view.camera(aspect);
             view.projection = Projection::Parallel;
             let parallel = view.camera(aspect);
@@ -354,6 +355,13 @@ fn a_loop_over_the_whole_picture_draws_it_and_is_told_what_to_loop_over() {
             "{told}"
         );
     }
+    let mut band = [Color::NAN; 3];
+    let mut image = Image::new(3, 4, 2, &mut band);
+    for (col, row) in [(0, 1), (1, 3), (3, 2)] {
+        image.set(col, row, Color::ONE);
+        assert_eq!(image.stray(), Some((col, row)), "it is not of the band");
+    }
+    assert!(band.iter().all(|color| color.is_nan()), "nothing of the band was set: {band:?}");
     let right = WholePicture { rows: true, more: 0 };
     assert_eq!(check_loop(&right), Ok(()), "this one keeps to its rows");
 }

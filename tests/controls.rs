@@ -205,6 +205,7 @@ fn numbers_are_shown_in_digits_that_say_something() {
         let mut controls = Controls::new();
         controls.number("number", -300.0..=300.0, &mut number);
         assert_eq!(controls[0].text(), shown, "in at most four decimals, or a power of ten");
+        assert_ne!(controls[0].exact(), "-0", "zero has no sign, as a setting too");
     }
 }
 
@@ -262,6 +263,18 @@ fn sliders_stand_where_their_value_is() {
         assert_ne!(control.text(), text);
         control.set_fraction(fraction);
         assert_eq!(control.text(), text, "the slider is put back");
+    }
+}
+
+#[test]
+fn a_slider_gives_numbers_that_can_be_typed() {
+    let (mut number, mut ratio) = (0.0, 1.0);
+    let mut controls = Controls::new();
+    controls.number("number", -2.0..=6.0, &mut number);
+    controls.logarithmic("ratio", 1.0..=1000.0, &mut ratio);
+    for (control, typed) in controls.iter_mut().zip(["0.6667", "10"]) {
+        control.set_fraction(1.0 / 3.0);
+        assert_eq!(control.exact(), typed, "'{}' has five digits", control.name);
     }
 }
 

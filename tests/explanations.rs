@@ -549,6 +549,9 @@ fn shares_add_up(step: &str, explanation: &Explanation) {
         }
         let name = |line: &Line| line.equation;
         assert_eq!(group.lines.last().map(name), Some("L"), "{step}: the sum comes last");
+        let lights = |equation: &&str| equation.ends_with("light");
+        let named = group.lines.iter().map(name).filter(lights).count();
+        assert_eq!(named + 1, parts.len(), "{step}: a light's share has its name:\n{explanation}");
     }
 }
 

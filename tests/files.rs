@@ -230,6 +230,12 @@ fn a_file_keeps_its_permissions() {
         let found = fs::metadata(&old).expect("it is there").permissions().mode() & 0o777;
         assert_eq!(found, mode, "{found:o} instead of {mode:o}");
     }
+    // A new one has those of any new file, and is not for its owner alone.
+    File::create(folder.path().join("any")).expect("created");
+    assert_eq!(run(folder.path(), &["-s", "16x9", "-o", "new.png"]).status.code(), Some(0));
+    let [any, new] = ["any", "new.png"]
+        .map(|name| fs::metadata(folder.path().join(name)).expect("it is there").permissions());
+    assert_eq!(new, any);
 }
 
 /// What stands in for a full disk: no file may grow beyond some kilobytes.

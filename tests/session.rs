@@ -145,6 +145,10 @@ fn every_control_can_be_selected() {
                 None => drop(key(&mut session, Key::Right)),
             }
             key(&mut session, Key::Down);
+            let mut image = RgbImage::new(320, 180);
+            session.paint(&mut image, &[], "");
+            let marked = image.pixels().any(|pixel| pixel.0 == [43, 49, 61]);
+            assert!(marked, "{name}: what is selected is not seen, after {:?}", seen.last());
         }
         for setting in tests::setup(index).list() {
             assert!(seen.contains(&setting.name), "{name}: {}", setting.name);
@@ -333,6 +337,24 @@ fn a_slider_is_dragged_to_its_ends() {
 }
 
 #[test]
+fn a_press_on_the_name_of_a_control_selects_it_and_changes_nothing() {
+    let window = size(960, 540);
+    let mut session = session(1);
+    session.handle(Event::Resize(window));
+    let places = (0..540).step_by(6).flat_map(|y| (0..960).step_by(6).map(move |x| (x, y)));
+    let is_a_name = |(x, y): (u16, u16)| {
+        let at = (f32::from(x), f32::from(y));
+        if !session.picture_area().contains(at) {
+            click(&mut session, at);
+        }
+        let moved = !session.setup().settings().is_empty();
+        key(&mut session, Key::Home);
+        session.selected() == Some("center.x") && !moved
+    };
+    assert!(places.into_iter().any(is_a_name));
+}
+
+#[test]
 fn what_is_left_for_another_window_is_let_go() {
     let mut session = session(6);
     let (x, y) = middle(session.picture_area());
@@ -341,6 +363,10 @@ fn what_is_left_for_another_window_is_let_go() {
     assert_eq!(session.handle(Event::Move(x + 50.0, y)), []);
     session.handle(Event::Release(x + 50.0, y));
     assert_eq!(session.pinned(), None);
+    let mut session = lecture(6);
+    key(&mut session, Key::Tab);
+    session.handle(Event::FocusLost);
+    assert_eq!(session.pictures()[0].program, 6, "Tab was let go elsewhere");
 }
 
 #[test]
@@ -355,10 +381,18 @@ fn the_wheel_beside_the_picture_scrolls() {
     session.handle(Event::Wheel(-3.0));
     let after = paint(&mut session, window);
     assert_eq!(session.setup().view().distance, distance);
-    assert!(before != after);
+    let bar = |image: &RgbImage| {
+        (0..540).filter(|row| image.get_pixel(956, *row).0 == [128, 140, 160]).min()
+    };
+    assert!(bar(&before).is_some() && bar(&before) < bar(&after), "the scroll bar goes down");
     // Back to the top, and not beyond.
     session.handle(Event::Wheel(50.0));
     assert!(paint(&mut session, window) == before);
+    let mut unpinned = crate::session(6);
+    unpinned.handle(Event::Resize(window));
+    unpinned.handle(Event::Move(900.0, 200.0));
+    unpinned.handle(Event::Wheel(-3.0));
+    assert_eq!(unpinned.setup().view().distance, distance);
 }
 
 #[test]
@@ -407,6 +441,17 @@ fn f1_lists_the_keys_and_f2_saves() {
     assert!(paint(&mut session, window) != before);
     key(&mut session, Key::F(1));
     assert!(paint(&mut session, window) == before);
+    // While the picture is alone they are asked for, not left.
+    for alone in [false, true] {
+        if alone {
+            key(&mut session, Key::F(1));
+        }
+        key(&mut session, Key::Space);
+        key(&mut session, Key::F(1));
+        assert!(paint(&mut session, window) != before && session.picture_area().width < 960.0);
+        key(&mut session, Key::F(1));
+        assert!(paint(&mut session, window) == before);
+    }
     // Escape leaves the keys first.
     key(&mut session, Key::F(1));
     assert!(!key(&mut session, Key::Escape).contains(&Effect::Quit));
@@ -414,6 +459,26 @@ fn f1_lists_the_keys_and_f2_saves() {
     assert!(key(&mut session, Key::F(2)).contains(&Effect::Save));
     session.handle(Event::Say("cannot write: the disc is full".to_owned()));
     assert!(paint(&mut session, window) != before);
+}
+
+#[test]
+fn how_the_picture_was_made_stands_where_nothing_else_does() {
+    for (index, window) in [(0, size(960, 540)), (6, size(700, 1000)), (6, size(1280, 720))] {
+        let mut session = session(index);
+        session.handle(Event::Resize(window));
+        let pictures = rendered(&session);
+        for words in (0..60).step_by(5) {
+            session.handle(Event::Say("a word ".repeat(words)));
+            let [without, with] = ["", "12.3 ms, 40/s"].map(|status| {
+                let mut image = RgbImage::new(window.width() as u32, window.height() as u32);
+                session.paint(&mut image, &pictures.iter().collect::<Vec<_>>(), status);
+                image
+            });
+            let covered =
+                without.pixels().zip(with.pixels()).find(|(a, b)| a != b && a.0 != [21, 24, 31]);
+            assert_eq!(covered, None, "after {words} words in {window}");
+        }
+    }
 }
 
 #[test]

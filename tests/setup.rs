@@ -244,8 +244,8 @@ fn a_fourth_sphere_and_a_third_light_are_among_the_choices() {
     setup.set("radius", "1.5").expect("it takes that");
     assert_eq!(setup.settings(), ["sphere=red ball", "radius=1.5"]);
     assert_ne!(seen(&setup), before, "the fourth sphere has grown");
-    setup.set_fraction("sphere", 0.4);
-    assert_eq!(called(&mut setup, "sphere").text, "green", "the nearest of four, not the first");
+    setup.set_fraction("sphere", 0.6);
+    assert_eq!(called(&mut setup, "sphere").text, "blue", "the nearest of four, not the first");
 }
 
 #[test]

@@ -8,7 +8,9 @@ use common::encode;
 use step07_specular::Lesson as Specular;
 use step07_specular::material::blinn_phong;
 use step07_specular::material::phong;
+use tests::STEPS;
 use tests::checks;
+use tests::colors;
 use tests::every_step::Ball;
 use tests::every_step::Light;
 use tests::every_step::Lights;
@@ -290,6 +292,12 @@ fn lights_add_up<S: Shadows>() {
 }
 
 fn only_ambient_light_is_left_in_the_dark<S: Shadows>() {
+    let mut setup = tests::setup(STEPS.iter().position(|step| *step == S::NAME).expect("a step"));
+    setup.set("lights", "0").expect("it takes none");
+    let camera = setup.view().camera(1.0);
+    let color = colors(setup.step(), &*camera, 1, 1)[0];
+    let red = 0.1 * Color::new(0.85, 0.25, 0.2);
+    near::<S, _>("the colour", color, red, "with none of the scene's lights lit L = k_a I_a");
     for ambient in [0.0, 0.5, 1.0, 4.0] {
         let found = seen::<S>(&World { ambient, ..lit(0.0, &[]) }, EYE);
         near::<S, _>("the colour", found, PAINT.k_a * ambient, "with no light L = k_a I_a");

@@ -19,10 +19,11 @@ use std::time::Duration;
 use std::time::Instant;
 
 use common::Comparison;
+use common::Frame;
+use common::Size;
 use tests::STEPS;
 use tests::empty_folder;
 use tests::picture;
-use tests::picture_of;
 use tests::program;
 use tests::read_picture;
 use tests::setup;
@@ -169,27 +170,54 @@ impl Drop for Running<'_> {
 fn keys_and_the_mouse_arrive() {
     let folder = folder("arrive");
     let display = Display::start();
-    let mut running = Running::start(&display, &folder, 6, &["--size", "800x450"]);
+    let options = ["--size", "800x450", "--samples", "2"];
+    let mut running = Running::start(&display, &folder, 6, &options);
     // Held until it is seen: a window of a busy machine looks at the mouse now and then.
     running.act("mousemove --window WINDOW 100 100 mousedown 1");
     running.act("sleep 0.5 mouseup 1");
     running.prints("of 800x450");
     running.act("key Right key c");
-    running.prints("cargo run -p step07_specular -- --size 800x450 --set sphere=green");
+    running.prints("cargo run -p step07_specular -- --size 800x450 --samples 2 --set sphere=green");
     running.act("keydown shift key Down key Right keyup shift key c");
     let mut expected = setup(6);
     expected.set("sphere", "green").expect("a sphere");
     expected.nudge("k_s", 0.1);
     running.prints(&expected.settings().join(" --set "));
+    running.act("click 4 key c");
+    expected.zoom(0.9);
+    running.prints(&expected.settings().join(" --set "));
+    // What there is already stays.
+    fs::write(folder.join("step07_specular-1.png"), "another").expect("a file");
     running.act("key F2");
-    let name = "step07_specular-1.png";
+    let name = "step07_specular-2.png";
     until("a word about it", || running.errors().contains(name).then_some(()));
     let found = read_picture(&folder.join(name));
-    let comparison = Comparison::new(&picture_of(&expected, 800, 450), &found, &[]);
+    let size = Size::new(800, 450).expect("a size");
+    let camera = expected.view().camera(size.aspect());
+    let frame = Frame { step: expected.step(), camera: &*camera, size, samples: 2 };
+    let comparison = Comparison::new(&frame.render(), &found, &[]);
     assert!(comparison.is_equal(), "{comparison}");
     // The first unpins.
     running.act("key Escape key Escape");
     assert_eq!(running.ends(), Some(0));
+}
+
+/// As by Alt+Shift+Tab.
+#[test]
+#[ignore = "needs Xvfb and xdotool"]
+fn shift_may_be_let_go_over_another_window() {
+    let (folder, other) = (folder("shift"), folder("other"));
+    let display = Display::start();
+    let running = Running::start(&display, &folder, 1, &[]);
+    running.act("keydown shift key c");
+    running.prints("cargo run -p step02_sphere\n");
+    let elsewhere = Running::start(&display, &other, 0, &[]);
+    elsewhere.act("keyup shift key c");
+    elsewhere.prints("cargo run -p step01_rays\n");
+    running.act("windowfocus --sync WINDOW key Left key c");
+    let mut expected = setup(1);
+    expected.nudge("radius", -1.0);
+    running.prints(&expected.settings().concat());
 }
 
 #[test]
