@@ -1,3 +1,4 @@
+use std::mem;
 use std::time::Duration;
 use std::time::Instant;
 
@@ -30,6 +31,8 @@ pub(crate) struct Drawing {
     samples: usize,
     camera: Box<dyn Camera>,
     picture: RgbImage,
+    /// A ray a pixel of the draft's grid; no part of it is seen before it is whole.
+    draft: RgbImage,
     /// The pass that is being rendered; none when all are done.
     pass: Option<Pass>,
     finished: Finished,
@@ -81,6 +84,7 @@ impl Drawing {
             samples,
             camera,
             picture: black(size),
+            draft: black(size),
             pass: None,
             finished: Finished { grid: 1, samples, time: Duration::ZERO },
             cost: 1e-6,
@@ -107,7 +111,7 @@ impl Drawing {
         self.pass.is_none()
     }
 
-    /// Whether the pixels are part of one picture and part of the next.
+    /// Whether the picture is still the one before, soon to be replaced.
     pub(crate) fn is_drafting(&self) -> bool {
         self.pass.is_some_and(|pass| pass.draft)
     }
@@ -117,10 +121,7 @@ impl Drawing {
         if let Some(pass) = self.pass {
             self.learn(&pass);
         }
-        if self.size != size {
-            self.size = size;
-            self.picture = black(size);
-        }
+        self.size = size;
         self.camera = camera;
         self.start(draft);
     }
@@ -133,7 +134,9 @@ impl Drawing {
             (coarse.width() * coarse.height()) as f64 <= affordable
         };
         let grid = (1..COARSEST).find(is_affordable).unwrap_or(COARSEST);
-        self.pass = Some(Pass::new(grid, 1, true));
+        let pass = Pass::new(grid, 1, true);
+        self.draft = black(pass.size(size));
+        self.pass = Some(pass);
     }
 
     /// Renders for a slice of time, or until a pass is done; whether one was.
@@ -142,7 +145,10 @@ impl Drawing {
         while let Some(mut pass) = self.pass {
             self.batch(step, &mut pass);
             if pass.row == pass.size(self.size).height() {
-                self.draw_over(step);
+                if pass.draft {
+                    self.enlarge();
+                }
+                step.draw_over(&*self.camera, &mut Canvas::new(&mut self.picture));
                 self.finish(pass);
                 return true;
             }
@@ -162,33 +168,23 @@ impl Drawing {
         let rows = (batch.as_secs_f64() / row_cost) as usize;
         let rows = rows.max(rayon::current_num_threads()).min(size.height() - pass.row);
         let frame = Frame { step, camera: &*self.camera, size, samples: pass.samples };
-        let mut rgb = vec![0; 3 * size.width() * rows];
-        let lines = rgb.par_chunks_mut(3 * size.width()).enumerate();
-        lines.for_each(|(line, rgb)| frame.render_rows(pass.row + line, rgb));
+        let picture = if pass.draft { &mut self.draft } else { &mut self.picture };
+        let lines = picture.par_chunks_mut(3 * size.width()).enumerate();
+        let lines = lines.skip(pass.row).take(rows);
+        lines.for_each(|(row, rgb)| frame.render_rows(row, rgb));
         pass.time += start.elapsed();
-
-        let (width, height) = (self.size.width(), self.size.height());
-        let line_length = 3 * width;
-        let samples: &mut [u8] = &mut self.picture;
-        for (row, rgb) in (pass.row..).zip(rgb.chunks_exact(3 * size.width())) {
-            // In a draft a row of the grid is as many of the picture's rows as are nearest.
-            let top = row * height / size.height();
-            let bottom = (row + 1) * height / size.height();
-            let line = &mut samples[top * line_length..(top + 1) * line_length];
-            for (col, pixel) in line.chunks_exact_mut(3).enumerate() {
-                let first = 3 * (col * size.width() / width);
-                pixel.copy_from_slice(&rgb[first..first + 3]);
-            }
-            for copy in top + 1..bottom {
-                let line = top * line_length..(top + 1) * line_length;
-                samples.copy_within(line, copy * line_length);
-            }
-        }
         pass.row += rows;
     }
 
-    fn draw_over(&mut self, step: &dyn Step) {
-        step.draw_over(&*self.camera, &mut Canvas::new(&mut self.picture));
+    /// Makes the whole draft the picture.
+    fn enlarge(&mut self) {
+        if self.draft.dimensions() == (self.size.width() as u32, self.size.height() as u32) {
+            return mem::swap(&mut self.picture, &mut self.draft);
+        }
+        self.picture = black(self.size);
+        let mut canvas = Canvas::new(&mut self.picture);
+        let area = canvas.area();
+        canvas.picture(&self.draft, area);
     }
 
     fn finish(&mut self, pass: Pass) {
