@@ -282,26 +282,27 @@ fn each_pixel_gets_the_colour_of_its_own_ray<S: Package>() {
     for (index, color) in colors.into_iter().enumerate() {
         let (col, row) = (index % width, index / width);
         let (u, v) = S::pixel_center(Pixel { col, row, width, height });
-        assert_eq!(
-            color,
-            Vec3::new(u, v, 0.0),
-            "{step}: pixel ({col}, {row}) holds the colour of another ray than its own, \
-             the one through (u, v) = ({u}, {v})"
+        assert!(
+            color == Vec3::new(u, v, 0.0),
+            "{step}: pixel ({col}, {row}) is not set, or to the colour of another ray than its \
+             own, the one through (u, v) = ({u}, {v})"
         );
     }
 }
 
 fn bands_of_rows_make_the_whole_picture<S: Package>() {
     let (width, height) = (7, 5);
-    let mut whole = vec![Color::NAN; width * height];
+    let mut whole = vec![Color::NEG_ONE; width * height];
     S::render_loop(&Positions, &mut Image::new(width, height, 0, &mut whole), &|ray| ray.origin);
-    let mut bands = vec![Color::NAN; width * height];
+    let mut bands = vec![Color::NEG_ONE; width * height];
     for (band, colors) in bands.chunks_mut(2 * width).enumerate() {
         let mut image = Image::new(width, height, 2 * band, colors);
         S::render_loop(&Positions, &mut image, &|ray| ray.origin);
     }
-    assert_eq!(bands, whole, "{}: the loop goes over image.rows(), not from 0 to height", S::NAME);
-    assert_eq!(check_loop(&S::default()), Ok(()));
+    let off = bands.iter().zip(&whole).position(|(band, whole)| band != whole);
+    let off = off.map(|index| (index % width, index / width));
+    assert_eq!(off, None, "{}: the loop goes over image.rows(), not from 0 to height", S::NAME);
+    check_loop(&S::default()).unwrap_or_else(|said| panic!("{}: {said}", S::NAME));
 }
 
 /// A step whose pixel loop is `for row in 0..image.height()`, and goes so many columns too far.
@@ -373,6 +374,9 @@ fn rays_of_a_pixel_are_averaged_before_encoding<S: Package>() {
     for samples in 1..=3 {
         let (wide, high) = (samples * width, samples * height);
         let colors = colors(&step, &*camera, wide, high);
+        let unset = colors.iter().position(|color| color.is_nan());
+        let unset = unset.map(|index| (index % wide, index / wide));
+        assert_eq!(unset, None, "{}: a pixel of {wide}x{high} is never set", S::NAME);
         let picture = Frame { step: &step, camera: &*camera, size, samples }.render();
         for (col, row, found) in picture.enumerate_pixels() {
             let (left, top) = (samples * col as usize, samples * row as usize);

@@ -1,16 +1,12 @@
-//! Where rays meet spheres, triangles and scenes: closed forms, for every step that has the thing.
+//! Where rays meet spheres and triangles.
 
-use common::Color;
 use common::Ray;
 use common::Vec3;
 use tests::checks;
 use tests::every_step::Ball;
 use tests::every_step::Hit;
-use tests::every_step::Paint;
-use tests::every_step::Scenes;
 use tests::every_step::Spheres;
 use tests::every_step::Triangles;
-use tests::every_step::World;
 use tests::every_step::hit;
 use tests::every_step::miss;
 use tests::every_step::near;
@@ -20,7 +16,7 @@ checks!(spheres {
     a_ray_from_outside_hits_the_near_side,
     a_ray_from_inside_hits_the_far_side,
     the_discriminant_has_three_cases,
-    a_sphere_of_any_radius_is_hit_where_it_is,
+    spheres_of_any_radius_are_hit_where_they_are,
     a_sphere_behind_the_origin_is_not_hit,
     a_point_on_a_sphere_does_not_hit_itself,
     a_longer_direction_is_the_same_ray_to_a_sphere,
@@ -41,14 +37,6 @@ checks!(triangles {
     t_min_and_t_max_are_open_on_a_triangle,
 });
 
-checks!(scenes {
-    the_nearest_of_many_wins_in_any_order,
-    of_two_surfaces_in_one_place_the_first_is_seen,
-    t_min_and_t_max_are_open_in_a_scene,
-    nothing_behind_the_origin_is_seen,
-    a_ray_that_hits_nothing_sees_the_background,
-});
-
 const BALL: Ball = Ball { center: Vec3::new(1.0, 2.0, 3.0), radius: 2.0 };
 
 /// At a right angle to z; legs of length 4.
@@ -59,7 +47,7 @@ const TRIANGLE: [Vec3; 3] =
 const ALPHAS: [f32; 6] = [0.001, 0.3, 0.5, 3.0, 4.0, 1000.0];
 
 /// From (x, y, 10) along −z.
-fn down(x: f32, y: f32) -> Ray {
+pub(crate) fn down(x: f32, y: f32) -> Ray {
     Ray::new(Vec3::new(x, y, 10.0), Vec3::NEG_Z)
 }
 
@@ -90,7 +78,7 @@ fn a_ray_from_outside_hits_the_near_side<S: Spheres>() {
 
 fn a_ray_from_inside_hits_the_far_side<S: Spheres>() {
     let far_side = "from inside the smaller root lies behind the origin, so the larger one counts";
-    let outwards = "a sphere's normal points outwards, from inside too";
+    let outwards = "a sphere's normal is (point − center) / radius, from inside too";
     let ray = Ray::new(BALL.center + Vec3::X, Vec3::X);
     let found = hit::<S>(sphere::<S>(&ray), far_side);
     near::<S, _>("t", found.t, 1.0, far_side);
@@ -128,7 +116,7 @@ fn the_discriminant_has_three_cases<S: Spheres>() {
     miss::<S>(S::sphere(unit, &down(1.0 + beside, 0.0), 0.0, f32::INFINITY), none);
 }
 
-fn a_sphere_of_any_radius_is_hit_where_it_is<S: Spheres>() {
+fn spheres_of_any_radius_are_hit_where_they_are<S: Spheres>() {
     let hit_at = |radius, x| {
         let ball = Ball { center: Vec3::ZERO, radius };
         S::sphere(ball, &down(x, 0.0), 0.0, f32::INFINITY)
@@ -180,7 +168,7 @@ fn a_longer_direction_is_the_same_ray_to_a_sphere<S: Spheres>() {
 }
 
 /// Hits of `intersect` lie at the exact `ts`, in order, along its ray.
-fn open_range<S: Spheres>(ts: &[f32], intersect: impl Fn(f32, f32) -> Option<Hit>) {
+pub(crate) fn open_range<S: Spheres>(ts: &[f32], intersect: impl Fn(f32, f32) -> Option<Hit>) {
     let why = "a hit counts for t_min < t < t_max, both ends left out";
     for (i, &t) in ts.iter().enumerate() {
         let found = hit::<S>(intersect(t.next_down(), t.next_up()), why);
@@ -242,7 +230,7 @@ fn both_sides_of_a_triangle_are_hit<S: Triangles>() {
     let below = Ray::new(Vec3::new(2.0, 2.0, -7.0), Vec3::Z);
     let found = hit::<S>(triangle::<S>(&below), "a triangle has two sides");
     near::<S, _>("t", found.t, 8.0, "the plane z = 1 seen from z = −7");
-    let why = "the normal is the triangle's own, whichever side is seen; shading turns it";
+    let why = "it is (b − a) × (c − a), normalised, whichever side is seen; shading turns it";
     near::<S, _>("the normal", found.normal, Vec3::Z, why);
 }
 
@@ -324,97 +312,4 @@ fn a_longer_direction_is_the_same_ray_to_a_triangle<S: Triangles>() {
 fn t_min_and_t_max_are_open_on_a_triangle<S: Triangles>() {
     let ray = down(2.0, 2.0);
     open_range::<S>(&[9.0], |t_min, t_max| S::triangle(TRIANGLE, &ray, t_min, t_max));
-}
-
-/// A sphere of radius ½ around (0, 0, z) and a large triangle in the plane z, both of colour z.
-fn at(z: f32) -> ((Ball, Paint), ([Vec3; 3], Paint)) {
-    let paint = Paint::matte(Color::splat(z));
-    let ball = Ball { center: Vec3::new(0.0, 0.0, z), radius: 0.5 };
-    let abc = [[-9.0, -9.0], [9.0, -9.0], [0.0, 9.0]].map(|[x, y]| Vec3::new(x, y, z));
-    ((ball, paint), (abc, paint))
-}
-
-/// All orders of `items`.
-fn orders<T: Clone>(items: &[T]) -> Vec<Vec<T>> {
-    let Some((first, rest)) = items.split_first() else { return vec![Vec::new()] };
-    let insert = |order: Vec<T>| {
-        (0..=order.len()).map(move |place| {
-            let mut order = order.clone();
-            order.insert(place, first.clone());
-            order
-        })
-    };
-    orders(rest).into_iter().flat_map(insert).collect()
-}
-
-fn the_nearest_of_many_wins_in_any_order<S: Scenes>() {
-    let why = "the closest hit is kept, by shrinking t_max with each one found";
-    let ray = down(0.0, 0.0);
-    // Seen from z = 10: triangle, spheres, triangles; then sphere, triangles, spheres.
-    for (spheres, triangles) in
-        [([4.0, 2.0, 1.0], [5.0, 0.0, -1.0]), ([5.0, 1.0, 0.0], [4.0, 3.0, 2.0])]
-    {
-        for spheres in orders(&spheres) {
-            for triangles in orders(&triangles) {
-                let scene = S::scene(&World {
-                    spheres: spheres.iter().map(|&z| at(z).0).collect(),
-                    triangles: triangles.iter().map(|&z| at(z).1).collect(),
-                    ..World::default()
-                });
-                let order =
-                    format!("{why}; spheres at z = {spheres:?}, triangles at {triangles:?}");
-                let found = S::closest(&scene, &ray, 0.0, f32::INFINITY);
-                let found_color = found.map_or(Color::NAN, |(_, color)| color);
-                near::<S, _>("the colour hit", found_color, Color::splat(5.0), &order);
-                let found = hit::<S>(found.map(|(hit, _)| hit), &order);
-                let surface = if spheres.contains(&5.0) { 5.5 } else { 5.0 };
-                near::<S, _>("t", found.t, 10.0 - surface, &order);
-                near::<S, _>("the normal", found.normal, Vec3::Z, &order);
-            }
-        }
-    }
-}
-
-fn of_two_surfaces_in_one_place_the_first_is_seen<S: Scenes>() {
-    let ((ball, _), (abc, _)) = at(0.0);
-    let paints = [Paint::matte(Color::X), Paint::matte(Color::Y)];
-    let spheres = paints.map(|paint| (ball, paint)).to_vec();
-    let triangles = paints.map(|paint| (abc, paint)).to_vec();
-    for world in [World { spheres, ..World::default() }, World { triangles, ..World::default() }] {
-        let found = S::closest(&S::scene(&world), &down(0.0, 0.0), 0.0, f32::INFINITY);
-        let why = "a tie is the first object's: t < t_max, and t_max is the t found so far";
-        near::<S, _>("the colour hit", found.map_or(Color::NAN, |it| it.1), Color::X, why);
-    }
-}
-
-fn t_min_and_t_max_are_open_in_a_scene<S: Scenes>() {
-    let scene = S::scene(&World {
-        spheres: vec![at(4.0).0, at(0.0).0],
-        triangles: vec![at(2.0).1],
-        ..World::default()
-    });
-    let ray = down(0.0, 0.0);
-    open_range::<S>(&[5.5, 6.5, 8.0, 9.5, 10.5], |t_min, t_max| {
-        S::closest(&scene, &ray, t_min, t_max).map(|(hit, _)| hit)
-    });
-}
-
-fn nothing_behind_the_origin_is_seen<S: Scenes>() {
-    let scene = S::scene(&World {
-        spheres: vec![at(12.0).0, at(14.0).0],
-        triangles: vec![at(11.0).1, at(10.0).1],
-        background: Color::new(0.1, 0.2, 0.3),
-        ..World::default()
-    });
-    let why = "all surfaces lie behind the origin or under it: t > 0 leaves the background";
-    near::<S, _>("the colour", S::trace(&scene, &down(0.0, 0.0)), Color::new(0.1, 0.2, 0.3), why);
-}
-
-fn a_ray_that_hits_nothing_sees_the_background<S: Scenes>() {
-    let background = Color::new(0.1, 0.2, 0.3);
-    let empty = S::scene(&World { background, ..World::default() });
-    let one = S::scene(&World { background, spheres: vec![at(0.0).0], ..World::default() });
-    let why = "nothing is hit: the background is seen, whatever the light";
-    near::<S, _>("the colour", S::trace(&empty, &down(0.0, 0.0)), background, why);
-    near::<S, _>("the colour", S::trace(&one, &down(2.0, 0.0)), background, why);
 }

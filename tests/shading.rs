@@ -1,13 +1,9 @@
-//! What colour a hit gets: closed forms, for every step that has the thing.
+//! What colour a hit gets, but for highlights.
 
 use common::Color;
 use common::Ray;
-use common::Silent;
 use common::Vec3;
 use common::encode;
-use step07_specular::Lesson as Specular;
-use step07_specular::material::blinn_phong;
-use step07_specular::material::phong;
 use tests::STEPS;
 use tests::checks;
 use tests::colors;
@@ -17,10 +13,8 @@ use tests::every_step::Lights;
 use tests::every_step::Paint;
 use tests::every_step::Scenes;
 use tests::every_step::Shadows;
-use tests::every_step::TOLERANCE;
 use tests::every_step::World;
 use tests::every_step::near;
-use tests::every_step::within;
 
 checks!(lights {
     a_face_turned_by_60_degrees_takes_half_the_light,
@@ -31,7 +25,7 @@ checks!(lights {
     the_side_that_is_seen_is_the_one_lit,
     a_sphere_is_lit_by_its_normal,
     a_longer_direction_sees_the_same_colour,
-    a_light_close_to_the_surface_is_no_light_of_infinite_brightness,
+    lights_close_to_the_surface_are_of_no_infinite_brightness,
 });
 
 checks!(shadows {
@@ -44,7 +38,7 @@ checks!(shadows {
     only_ambient_light_is_left_in_the_dark,
 });
 
-const PAINT: Paint = Paint {
+pub(crate) const PAINT: Paint = Paint {
     k_a: Color::new(0.125, 0.25, 0.0625),
     k_d: Color::new(0.75, 0.5, 0.25),
     k_s: 0.0,
@@ -53,30 +47,32 @@ const PAINT: Paint = Paint {
 };
 
 /// Where the colour is looked at from: not from straight above.
-const EYE: Vec3 = Vec3::new(1.0, 3.0, 2.0);
+pub(crate) const EYE: Vec3 = Vec3::new(1.0, 3.0, 2.0);
 
 /// Two units above what is looked at; I/r² is 2.
-const ABOVE: Light = Light::new(Vec3::new(0.0, 2.0, 0.0), 8.0);
+pub(crate) const ABOVE: Light = Light::new(Vec3::new(0.0, 2.0, 0.0), 8.0);
 
 /// A triangle around the world's origin, horizontal and then turned around z.
-fn patch(degrees: f32) -> [Vec3; 3] {
+pub(crate) fn patch(degrees: f32) -> [Vec3; 3] {
     let (sin, cos) = degrees.to_radians().sin_cos();
     [[-3.0, -2.0], [3.0, -2.0], [0.0, 4.0]].map(|[x, z]| Vec3::new(x * cos, x * sin, z))
 }
 
-/// The patch under `lights`.
-fn lit(degrees: f32, lights: &[Light]) -> World {
-    World { triangles: vec![(patch(degrees), PAINT)], lights: lights.to_vec(), ..World::default() }
+/// The patch under `lights`, with nothing that could be in their way.
+pub(crate) fn lit(degrees: f32, lights: &[Light]) -> World {
+    let (triangles, lights) = (vec![(patch(degrees), PAINT)], lights.to_vec());
+    World { triangles, lights, shadows: false, ..World::default() }
 }
 
 /// The colour of the world's origin, seen from `eye`.
-fn seen<S: Scenes>(world: &World, eye: Vec3) -> Color {
+pub(crate) fn seen<S: Scenes>(world: &World, eye: Vec3) -> Color {
     S::trace(&S::scene(world), &Ray::new(eye, -eye.normalize()))
 }
 
 fn a_face_turned_by_60_degrees_takes_half_the_light<S: Lights>() {
     let full = seen::<S>(&lit(0.0, &[ABOVE]), EYE);
-    let why = "L_d = k_d (I/r²) max(0, n·l): the face looks straight at the light, n·l = 1";
+    let why =
+        "L_d = k_d (I/r²) max(0, n·l) with I = 8, r² = 4 and n·l = 1: n and l have unit length";
     near::<S, _>("the colour", full, PAINT.k_d * 2.0, why);
     let turned = seen::<S>(&lit(60.0, &[ABOVE]), EYE);
     let why = "a cube's face turned by 60° intercepts half the light, n·l = cos 60° = ½";
@@ -110,7 +106,7 @@ fn light_is_reflected_alike_in_all_directions<S: Lights>() {
 
 fn a_light_behind_the_surface_adds_nothing<S: Lights>() {
     for light in [[0.0, -2.0, 0.0], [4.0, -0.5, 1.0]] {
-        let world = World { shadows: false, ..lit(0.0, &[Light::new(Vec3::from(light), 8.0)]) };
+        let world = lit(0.0, &[Light::new(Vec3::from(light), 8.0)]);
         let why = format!("n·l < 0 for a light at {light:?}: max(0, n·l) is 0");
         near::<S, _>("the colour", seen::<S>(&world, EYE), Color::ZERO, &why);
     }
@@ -139,21 +135,23 @@ fn a_sphere_is_lit_by_its_normal<S: Lights>() {
         (Vec3::Y, 0.8),
         (Vec3::X, 0.6),
         (Vec3::new(-0.8, 0.6, 0.0), 0.0),
-        (-normal, 0.0),
+        (-normal, -1.0),
     ] {
         let lights = vec![Light::new(point + 2.0 * towards, 8.0)];
         let world = World { spheres: spheres.clone(), lights, shadows: false, ..World::default() };
         let ray = Ray::new(Vec3::new(3.0, 9.0, 0.0), Vec3::NEG_Y);
         let found = S::trace(&S::scene(&world), &ray);
-        let why = format!("n·l = {cosine} with n = (point − center) / radius, l towards {towards}");
-        near::<S, _>("the colour", found, PAINT.k_d * 2.0 * cosine, &why);
+        let why = format!(
+            "L_d = k_d (I/r²) max(0, n·l), and n·l is {cosine} with n = (point − center) / radius \
+             and l towards {towards}"
+        );
+        near::<S, _>("the colour", found, PAINT.k_d * 2.0 * f32::max(cosine, 0.0), &why);
     }
 }
 
 fn a_longer_direction_sees_the_same_colour<S: Lights>() {
     let paint = Paint { k_s: 0.5, exponent: 8.0, ..PAINT };
-    let world =
-        World { triangles: vec![(patch(20.0), paint)], lights: vec![ABOVE], ..World::default() };
+    let world = World { triangles: vec![(patch(20.0), paint)], ..lit(20.0, &[ABOVE]) };
     let scene = S::scene(&world);
     let expected = seen::<S>(&world, EYE);
     for alpha in [0.001, 0.3, 4.0, 1000.0] {
@@ -163,7 +161,7 @@ fn a_longer_direction_sees_the_same_colour<S: Lights>() {
     }
 }
 
-fn a_light_close_to_the_surface_is_no_light_of_infinite_brightness<S: Lights>() {
+fn lights_close_to_the_surface_are_of_no_infinite_brightness<S: Lights>() {
     let paint = Paint { k_s: 0.5, ..PAINT };
     let world = |height| World {
         triangles: vec![(patch(0.0), paint)],
@@ -185,7 +183,7 @@ fn a_light_close_to_the_surface_is_no_light_of_infinite_brightness<S: Lights>() 
 fn blockers(height: f32) -> [World; 2] {
     let ball = Ball { center: height * Vec3::Y, radius: 0.25 };
     let small = patch(0.0).map(|vertex| vertex / 16.0 + height * Vec3::Y);
-    let base = World { ambient: 1.0, ..lit(0.0, &[ABOVE]) };
+    let base = World { ambient: 1.0, shadows: true, ..lit(0.0, &[ABOVE]) };
     let mut with_triangle = base.clone();
     with_triangle.triangles.push((small, PAINT));
     [World { spheres: vec![(ball, PAINT)], ..base }, with_triangle]
@@ -195,7 +193,8 @@ fn a_blocked_light_adds_nothing<S: Shadows>() {
     let fill = Light::new(Vec3::new(2.0, 0.0, 0.0) + 2.0 * Vec3::Y, 8.0);
     let alone = seen::<S>(&lit(0.0, &[fill]), EYE);
     for world in blockers(1.0) {
-        let why = "the shadow ray from the point to the light is blocked: only k_a I_a is left";
+        let why = "the shadow ray's d leads from the point to the light, not normalised, and \
+                   something is at ε < t < 1: only k_a I_a is left";
         near::<S, _>("the colour", seen::<S>(&world, EYE), PAINT.k_a, why);
         for lights in [vec![ABOVE, fill], vec![fill, ABOVE]] {
             let why = "one light is blocked, the other one still adds its part";
@@ -233,7 +232,7 @@ fn any_object_in_range_blocks<S: Shadows>() {
     ] {
         let scene = S::scene(&World { triangles: triangles.to_vec(), epsilon, ..World::default() });
         let found = S::is_visible(&scene, light * Vec3::Y, Vec3::ZERO);
-        let why = "any object counts, in whatever order, with ε < t < 1";
+        let why = "any object counts with ε < t < 1, where d = light − point is not normalised";
         let step = S::NAME;
         assert_eq!(found, visible, "{step}: V of a light at {light}, ε = {epsilon}, from 0: {why}");
     }
@@ -304,22 +303,6 @@ fn only_ambient_light_is_left_in_the_dark<S: Shadows>() {
     }
 }
 
-/// The highlight of I/r² = 2 and k_s = ½ on the horizontal patch; l is 30° from the normal, v is
-/// `off` degrees from where l is mirrored, all in one plane.
-fn highlight(off: f32, exponent: f32, phong: bool) -> Color {
-    let at = |degrees: f32| {
-        let (sin, cos) = degrees.to_radians().sin_cos();
-        Vec3::new(sin, cos, 0.0)
-    };
-    let paint = Paint { k_s: 0.5, exponent, phong, ..Paint::matte(Color::ZERO) };
-    let world = World {
-        triangles: vec![(patch(0.0), paint)],
-        lights: vec![Light::new(2.0 * at(-30.0), 8.0)],
-        ..World::default()
-    };
-    seen::<Specular>(&world, 3.0 * at(30.0 + off))
-}
-
 #[test]
 fn what_leaves_for_the_screen_is_srgb_encoded() {
     // IEC 61966-2-1
@@ -342,87 +325,5 @@ fn what_leaves_for_the_screen_is_srgb_encoded() {
     for [low, high] in [[-1.0, 7.0], [f32::NEG_INFINITY, f32::INFINITY]] {
         let clamped = encode(Color::new(low, high, f32::NAN));
         assert_eq!(clamped, [0, 255, 0], "clamped to [0, 1]; no number is black");
-    }
-}
-
-#[test]
-fn the_highlight_is_a_power_of_the_cosine() {
-    for exponent in [1.0, 10.0, 100.0, 400.0, 1000.0] {
-        for off in (-50..=50).step_by(5).map(|off| off as f32) {
-            // A cosine that is off by some last bits has a p-th power that is off by p times that.
-            let tolerance = exponent * TOLERANCE / 16.0 + TOLERANCE;
-            for (phong, angle, why) in [
-                (false, off / 2.0, "L_s = k_s (I/r²) max(0, n·h)^p, and h turns half as far as v"),
-                (true, off, "Phong's form: L_s = k_s (I/r²) max(0, v_r·v)^p"),
-            ] {
-                let expected = Color::splat(angle.to_radians().cos().powf(exponent));
-                let found = highlight(off, exponent, phong);
-                let what = format!("L_s with p = {exponent}, {off}° off the mirror direction");
-                within::<Specular, _>(&what, found, expected, tolerance, why);
-            }
-        }
-    }
-}
-
-#[test]
-fn a_light_behind_the_surface_adds_no_highlight() {
-    // Just below the surface's horizon, so that h still lies above it, and in it: cos² of half a
-    // right angle would be ½.
-    for (height, p, phong) in [(-0.25, 1.0, false), (-0.25, 1.0, true), (0.0, 2.0, false)] {
-        let paint = Paint { k_s: 1.0, exponent: p, phong, ..Paint::matte(Color::ZERO) };
-        let world = World {
-            triangles: vec![(patch(0.0), paint)],
-            lights: vec![Light::new(Vec3::new(2.0, height, 0.0), 8.0)],
-            shadows: false,
-            ..World::default()
-        };
-        let found = seen::<Specular>(&world, Vec3::Y);
-        let why = "n·l > 0 fails: light that does not reach the surface has no highlight on it";
-        assert_eq!(found, Color::ZERO, "step07_specular: L_s with n·l = {height} / r: {why}");
-    }
-}
-
-#[test]
-fn a_surface_without_k_s_has_no_highlight_however_bright_the_light() {
-    // 0⁰ is 1, and 0 · ∞ is no number.
-    let paint = Paint { exponent: 0.0, ..PAINT };
-    let world = |k_s| World {
-        triangles: vec![(patch(0.0), Paint { k_s, ..paint })],
-        lights: vec![Light { intensity: 1e38, ..ABOVE }],
-        ..World::default()
-    };
-    let dull = seen::<Specular>(&world(0.0), EYE);
-    assert_eq!(dull, PAINT.k_d * (1e38 / 4.0), "step07_specular: with k_s = 0, L = L_d");
-    assert_ne!(dull, seen::<Specular>(&world(1.0), EYE), "step07_specular: with k_s = 1 it is not");
-}
-
-#[test]
-fn the_highlight_and_the_diffuse_light_add_up() {
-    let look = |k_d, k_s| {
-        let paint = Paint { k_d, k_s, exponent: 4.0, ..PAINT };
-        let triangles = vec![(patch(10.0), paint)];
-        seen::<Specular>(&World { triangles, ..lit(0.0, &[ABOVE]) }, EYE)
-    };
-    let (diffuse, specular) = (look(PAINT.k_d, 0.0), look(Color::ZERO, 0.5));
-    assert!(specular.x > 0.0, "step07_specular: L_s = {specular} alone should be seen");
-    let grey = Color::splat(specular.x);
-    assert_eq!(specular, grey, "step07_specular: k_s is the same in every channel");
-    near::<Specular, _>("L", look(PAINT.k_d, 0.5), diffuse + specular, "L = L_a + L_d + L_s");
-}
-
-#[test]
-fn both_models_have_the_slides_cosine() {
-    let n = Vec3::Y;
-    let at = |degrees: f32| {
-        let (sin, cos) = degrees.to_radians().sin_cos();
-        Vec3::new(sin, cos, 0.0)
-    };
-    for (l, v) in [(-30.0, 30.0), (-30.0, 45.0), (0.0, 70.0), (-80.0, -10.0), (-89.0, -89.0)] {
-        let cosine = |degrees: f32| degrees.to_radians().cos();
-        let blinn = blinn_phong(n, at(l), at(v), Vec3::ZERO, &mut Silent);
-        let phong = phong(n, at(l), at(v), Vec3::ZERO, &mut Silent);
-        let why = format!("l at {l}° and v at {v}° from n");
-        near::<Specular, _>("n·h", blinn, cosine((l + v) / 2.0), &why);
-        near::<Specular, _>("v_r·v", phong, cosine(l + v), &why);
     }
 }

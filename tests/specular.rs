@@ -1,0 +1,123 @@
+//! Highlights, which only the last step has.
+
+use common::Color;
+use common::Silent;
+use common::Vec3;
+use step07_specular::Lesson as Specular;
+use step07_specular::material::blinn_phong;
+use step07_specular::material::phong;
+use tests::every_step::Light;
+use tests::every_step::Paint;
+use tests::every_step::TOLERANCE;
+use tests::every_step::World;
+use tests::every_step::near;
+use tests::every_step::within;
+
+use crate::shading::ABOVE;
+use crate::shading::EYE;
+use crate::shading::PAINT;
+use crate::shading::lit;
+use crate::shading::patch;
+use crate::shading::seen;
+
+/// The highlight of I/r² = 2 and k_s = ½ on the horizontal patch; l is 30° from the normal, v is
+/// `off` degrees from where l is mirrored, all in one plane.
+fn highlight(off: f32, exponent: f32, phong: bool) -> Color {
+    let at = |degrees: f32| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        Vec3::new(sin, cos, 0.0)
+    };
+    let paint = Paint { k_s: 0.5, exponent, phong, ..Paint::matte(Color::ZERO) };
+    let world = World {
+        triangles: vec![(patch(0.0), paint)],
+        lights: vec![Light::new(2.0 * at(-30.0), 8.0)],
+        ..World::default()
+    };
+    seen::<Specular>(&world, 3.0 * at(30.0 + off))
+}
+
+#[test]
+fn the_highlight_is_a_power_of_the_cosine() {
+    for exponent in [1.0, 10.0, 100.0, 400.0, 1000.0] {
+        for off in (-50..=50).step_by(5).map(|off| off as f32) {
+            // A cosine that is off by some last bits has a p-th power that is off by p times that.
+            let tolerance = exponent * TOLERANCE / 16.0 + TOLERANCE;
+            for (phong, angle, why) in [
+                (false, off / 2.0, "L_s = k_s (I/r²) max(0, n·h)^p, and h turns half as far as v"),
+                (true, off, "Phong's form: L_s = k_s (I/r²) max(0, v_r·v)^p"),
+            ] {
+                let expected = Color::splat(angle.to_radians().cos().powf(exponent));
+                let found = highlight(off, exponent, phong);
+                let what = format!("L_s with p = {exponent}, {off}° off the mirror direction");
+                within::<Specular, _>(&what, found, expected, tolerance, why);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_light_behind_the_surface_adds_no_highlight() {
+    // Just below the surface's horizon, so that h still lies above it, and in it: cos² of half a
+    // right angle would be ½.
+    for (height, p, phong) in [(-0.25, 1.0, false), (-0.25, 1.0, true), (0.0, 2.0, false)] {
+        let paint = Paint { k_s: 1.0, exponent: p, phong, ..Paint::matte(Color::ZERO) };
+        let world = World {
+            triangles: vec![(patch(0.0), paint)],
+            lights: vec![Light::new(Vec3::new(2.0, height, 0.0), 8.0)],
+            shadows: false,
+            ..World::default()
+        };
+        let found = seen::<Specular>(&world, Vec3::Y);
+        let why = "n·l > 0 fails: light that does not reach the surface has no highlight on it";
+        assert_eq!(found, Color::ZERO, "step07_specular: L_s with n·l = {height} / r: {why}");
+    }
+}
+
+#[test]
+fn without_k_s_there_is_no_highlight_however_bright_the_light() {
+    // 0⁰ is 1, and 0 · ∞ is no number.
+    let paint = Paint { exponent: 0.0, ..PAINT };
+    let world = |k_s| World {
+        triangles: vec![(patch(0.0), Paint { k_s, ..paint })],
+        lights: vec![Light { intensity: 1e38, ..ABOVE }],
+        ..World::default()
+    };
+    let dull = seen::<Specular>(&world(0.0), EYE);
+    assert_eq!(dull, PAINT.k_d * (1e38 / 4.0), "step07_specular: with k_s = 0, L = L_d");
+    assert_ne!(
+        dull,
+        seen::<Specular>(&world(1.0), EYE),
+        "step07_specular: with k_s = 1 and p = 0, L_s = I/r² is added"
+    );
+}
+
+#[test]
+fn the_highlight_and_the_diffuse_light_add_up() {
+    let look = |k_d, k_s| {
+        let paint = Paint { k_d, k_s, exponent: 4.0, ..PAINT };
+        let triangles = vec![(patch(10.0), paint)];
+        seen::<Specular>(&World { triangles, ..lit(0.0, &[ABOVE]) }, EYE)
+    };
+    let (diffuse, specular) = (look(PAINT.k_d, 0.0), look(Color::ZERO, 0.5));
+    assert!(specular.x > 0.0, "step07_specular: L_s = {specular} alone should be seen");
+    let grey = Color::splat(specular.x);
+    assert_eq!(specular, grey, "step07_specular: k_s is the same in every channel");
+    near::<Specular, _>("L", look(PAINT.k_d, 0.5), diffuse + specular, "L = L_a + L_d + L_s");
+}
+
+#[test]
+fn both_models_have_the_slides_cosine() {
+    let n = Vec3::Y;
+    let at = |degrees: f32| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        Vec3::new(sin, cos, 0.0)
+    };
+    for (l, v) in [(-30.0, 30.0), (-30.0, 45.0), (0.0, 70.0), (-80.0, -10.0), (-89.0, -89.0)] {
+        let cosine = |degrees: f32| degrees.to_radians().cos();
+        let blinn = blinn_phong(n, at(l), at(v), Vec3::ZERO, &mut Silent);
+        let phong = phong(n, at(l), at(v), Vec3::ZERO, &mut Silent);
+        let why = format!("l at {l}° and v at {v}° from n");
+        near::<Specular, _>("n·h", blinn, cosine((l + v) / 2.0), &why);
+        near::<Specular, _>("v_r·v", phong, cosine(l + v), &why);
+    }
+}
