@@ -1,8 +1,7 @@
 //! Each step differs from the previous one by its concept and by nothing else.
 //!
-//! [`LESSONS`] says which files a step adds and changes; every other file is the previous step's to
-//! the byte. The diff of each neighbouring pair is committed in `diffs/`, so that whoever reviews a
-//! change sees how the lesson changes. `UPDATE_SNAPSHOTS=1 cargo test -p tests --test diffs` makes
+//! The diff of each neighbouring pair is committed in `diffs/`, so that whoever reviews a change sees
+//! how the lesson changes; what is not in it is the previous step's to the byte. `UPDATE_SNAPSHOTS=1 cargo test -p tests --test diffs` makes
 //! those anew.
 
 use std::collections::BTreeMap;
@@ -15,48 +14,8 @@ use tests::STEPS;
 use tests::root;
 use tests::updating_snapshots;
 
-/// What a step makes of the previous one, in files of its `src` folder.
-struct Lesson {
-    step: &'static str,
-    adds: &'static [&'static str],
-    changes: &'static [&'static str],
-    /// How many lines of the diff may be added or removed.
-    budget: usize,
-}
-
-const LESSONS: [Lesson; 6] = [
-    Lesson {
-        step: "step02_sphere",
-        adds: &["intersection.rs", "sphere.rs"],
-        changes: &["lib.rs"],
-        budget: 78,
-    },
-    Lesson { step: "step03_triangle", adds: &["triangle.rs"], changes: &["lib.rs"], budget: 114 },
-    Lesson {
-        step: "step04_scene",
-        adds: &["scene.rs", "surface.rs"],
-        changes: &["lib.rs"],
-        budget: 140,
-    },
-    Lesson {
-        step: "step05_diffuse",
-        adds: &["light.rs", "material.rs"],
-        changes: &["lib.rs", "scene.rs"],
-        budget: 72,
-    },
-    Lesson {
-        step: "step06_shadows",
-        adds: &[],
-        changes: &["lib.rs", "material.rs", "scene.rs"],
-        budget: 62,
-    },
-    Lesson {
-        step: "step07_specular",
-        adds: &[],
-        changes: &["lib.rs", "material.rs", "scene.rs"],
-        budget: 68,
-    },
-];
+/// How many lines of the diff to each step may be added or removed, from step 02 on.
+const BUDGETS: [usize; STEPS.len() - 1] = [78, 114, 140, 72, 62, 68];
 
 /// The largest budget, and the largest median of all.
 const LARGEST: usize = 140;
@@ -111,72 +70,6 @@ fn shared(step: &str, path: &str, text: &str) -> String {
         _ => line.to_owned(),
     });
     lines.collect()
-}
-
-/// The number of the first line in which two texts differ, and that line of both.
-fn first_difference<'a>(old: &'a str, new: &'a str) -> (usize, &'a str, &'a str) {
-    let (mut old, mut new) = (old.split('\n'), new.split('\n'));
-    for number in 1.. {
-        match (old.next(), new.next()) {
-            (Some(old), Some(new)) if old == new => {}
-            (old, new) => {
-                let line = |line: Option<&'a str>| line.unwrap_or("(the file has ended)");
-                return (number, line(old), line(new));
-            }
-        }
-    }
-    unreachable!("a text ends")
-}
-
-/// Where the files of a step do not differ from the previous step's as `lesson` says.
-fn undeclared(lesson: &Lesson, old: &Files, new: &Files) -> Vec<String> {
-    let (step, previous) = (lesson.step, previous(lesson.step));
-    let listed = |list: &[&str], path: &str| {
-        path.strip_prefix("src/").is_some_and(|name| list.contains(&name))
-    };
-    let mut faults = Vec::new();
-    for path in old.keys().filter(|&path| !new.contains_key(path)) {
-        faults.push(format!(
-            "{path} of {previous} is missing in {step}: a file never leaves, moves or splits"
-        ));
-    }
-    for (path, text) in new {
-        let (adds, changes) = (listed(lesson.adds, path), listed(lesson.changes, path));
-        let Some(before) = old.get(path) else {
-            if !adds {
-                faults.push(format!(
-                    "{step} has {path}, {previous} has not: if the concept needs the file, list it \
-                     among what {step} adds, in LESSONS of tests/diffs.rs"
-                ));
-            }
-            continue;
-        };
-        let (before, text) = (shared(previous, path, before), shared(step, path, text));
-        match (before == text, changes) {
-            (true, true) => faults.push(format!(
-                "LESSONS of tests/diffs.rs says that {step} changes {path}, and it does not"
-            )),
-            (false, false) => {
-                let (number, before, text) = first_difference(&before, &text);
-                faults.push(format!(
-                    "{path} of {step} differs from {previous}'s at line {number}:\n  \
-                     {previous}: {before}\n  {step}: {text}\n{RULE}; only if the concept of {step} \
-                     needs the change, list the file in LESSONS of tests/diffs.rs"
-                ));
-            }
-            _ => {}
-        }
-        if adds {
-            faults.push(format!(
-                "LESSONS of tests/diffs.rs says that {step} adds {path}, but {previous} has it"
-            ));
-        }
-    }
-    let missing = [lesson.adds, lesson.changes].concat();
-    for name in missing.iter().filter(|name| !new.contains_key(&format!("src/{name}"))) {
-        faults.push(format!("LESSONS of tests/diffs.rs has src/{name}, {step} has not"));
-    }
-    faults
 }
 
 /// The unified diff of the `src` folders of a step and the one before, as git writes it.
@@ -238,47 +131,71 @@ fn surplus(title: &str, lines: &[String], others: &[String]) -> String {
     shown.chain(more).collect()
 }
 
-fn only_declared_files_differ(lesson: &Lesson) {
-    let faults = undeclared(lesson, &files(previous(lesson.step)), &files(lesson.step));
-    assert!(faults.is_empty(), "{}", faults.join("\n"));
+/// Each step with the one before.
+fn pairs() -> impl Iterator<Item = (&'static str, &'static str)> {
+    STEPS.windows(2).map(|pair| (pair[0], pair[1]))
 }
 
-fn diff_is_the_committed_one(lesson: &Lesson) {
-    let (step, previous) = (lesson.step, previous(lesson.step));
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("diffs").join(format!("{step}.diff"));
-    let found = unified_diff(step);
-    if updating_snapshots() {
-        fs::create_dir_all(path.parent().expect("a file in a folder")).expect("a folder");
-        fs::write(&path, found).expect("the snapshot can be written");
-        return;
+/// Without them Cargo would build something else than what the diff shows.
+#[test]
+fn manifest_and_main_are_those_of_the_previous_step() {
+    for (previous, step) in pairs() {
+        let [old, new] = [previous, step].map(|step| {
+            let mut files = files(step);
+            files.retain(|path, _| !path.starts_with("src/"));
+            files
+                .iter()
+                .map(|(path, text)| (path.clone(), shared(step, path, text)))
+                .collect::<Files>()
+        });
+        assert_eq!(new, old, "the files of {step} beside src/ are not those of {previous}: {RULE}");
+        let gone = files(previous).into_keys().find(|path| !files(step).contains_key(path));
+        assert_eq!(
+            gone, None,
+            "a file of {previous} is missing in {step}: it never leaves or moves"
+        );
     }
-    let expected = fs::read_to_string(&path).unwrap_or_default();
-    if found == expected {
-        return;
-    }
-    let (was, is) = (changed_lines(&expected), changed_lines(&found));
-    let mut how = surplus("now also", &is, &was) + &surplus("no longer", &was, &is);
-    if how.is_empty() {
-        how = "\n  only lines around the changes, or their numbers, are others".to_owned();
-    }
-    panic!(
-        "the diff from {previous} to {step} is not tests/diffs/{step}.diff:{how}\nIf the lesson \
+}
+
+#[test]
+fn diff_is_the_committed_one() {
+    for (previous, step) in pairs() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("diffs").join(format!("{step}.diff"));
+        let found = unified_diff(step);
+        if updating_snapshots() {
+            fs::create_dir_all(path.parent().expect("a file in a folder")).expect("a folder");
+            fs::write(&path, found).expect("the snapshot can be written");
+            continue;
+        }
+        let expected = fs::read_to_string(&path).unwrap_or_default();
+        if found == expected {
+            continue;
+        }
+        let (was, is) = (changed_lines(&expected), changed_lines(&found));
+        let mut how = surplus("now also", &is, &was) + &surplus("no longer", &was, &is);
+        if how.is_empty() {
+            how = "\n  only lines around the changes, or their numbers, are others".to_owned();
+        }
+        panic!(
+            "the diff from {previous} to {step} is not tests/diffs/{step}.diff:{how}\nIf the lesson \
          was not meant to change: {RULE}. If it was, run \
          `UPDATE_SNAPSHOTS=1 cargo test -p tests --test diffs` and read that file's own diff."
-    );
+        );
+    }
 }
 
-fn diff_is_within_its_budget(lesson: &Lesson) {
-    let (step, budget) = (lesson.step, lesson.budget);
-    let changed = changed_lines(&unified_diff(step)).len();
-    assert!(
-        changed <= budget,
-        "the diff from {} to {step} has {changed} changed lines, its budget is {budget}. Say the \
+#[test]
+fn diff_is_within_its_budget() {
+    for ((previous, step), budget) in pairs().zip(BUDGETS) {
+        let changed = changed_lines(&unified_diff(step)).len();
+        assert!(
+            changed <= budget,
+            "the diff from {previous} to {step} has {changed} changed lines, its budget is {budget}. Say the \
          same in fewer lines, or move to `common` what no slide changes. If the concept needs \
-         them, raise its budget in LESSONS of tests/diffs.rs: to {LARGEST} at most, and the median \
-         of all to {MEDIAN}.",
-        previous(step)
-    );
+         them, raise its budget in BUDGETS of tests/diffs.rs: to {LARGEST} at most, and the median \
+         of all to {MEDIAN}."
+        );
+    }
 }
 
 /// Whether a line says enough to be told from others by its text.
@@ -297,18 +214,20 @@ fn moved(old: &str, new: &str) -> Vec<String> {
     lines(ChangeTag::Delete).filter(|line| added.contains(line)).map(str::to_owned).collect()
 }
 
-fn no_line_moves(lesson: &Lesson) {
-    let (step, previous) = (lesson.step, previous(lesson.step));
-    let old = files(previous);
-    for (path, new) in files(step) {
-        let moved = old.get(&path).map_or_else(Vec::new, |old| moved(old, &new));
-        assert!(
-            moved.is_empty(),
-            "{path} of {step} has these lines of {previous} in another order, which makes them \
+#[test]
+fn no_line_of_the_previous_step_moves() {
+    for (previous, step) in pairs() {
+        let old = files(previous);
+        for (path, new) in files(step) {
+            let moved = old.get(&path).map_or_else(Vec::new, |old| moved(old, &new));
+            assert!(
+                moved.is_empty(),
+                "{path} of {step} has these lines of {previous} in another order, which makes them \
              look like news in the diff:\n{}\nLeave them where they are, or move them in the \
              earliest step that has them and in every later one.",
-            moved.concat()
-        );
+                moved.concat()
+            );
+        }
     }
 }
 
@@ -352,83 +271,32 @@ fn misplaced_mod(text: &str) -> Option<&str> {
     modules.windows(2).find(|pair| pair[0] > pair[1]).map(|pair| pair[1])
 }
 
-fn source_reads_well(step: &str) {
+#[test]
+fn source_reads_well() {
     let mut faults = Vec::new();
-    for (path, text) in files(step).iter().filter(|(path, _)| path.starts_with("src/")) {
-        for (number, line) in (1..).zip(text.lines()) {
-            if let Some(fault) = style_fault(line) {
-                faults.push(format!("{step}/{path}:{number}: {fault}\n  {}", line.trim()));
+    for step in STEPS {
+        for (path, text) in files(step).iter().filter(|(path, _)| path.starts_with("src/")) {
+            for (number, line) in (1..).zip(text.lines()) {
+                if let Some(fault) = style_fault(line) {
+                    faults.push(format!("{step}/{path}:{number}: {fault}\n  {}", line.trim()));
+                }
             }
-        }
-        if let Some(name) = misplaced_mod(text) {
-            faults.push(format!("{step}/{path}: `mod {name}` is not in alphabetical order"));
+            if let Some(name) = misplaced_mod(text) {
+                faults.push(format!("{step}/{path}: `mod {name}` is not in alphabetical order"));
+            }
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-macro_rules! each_step {
-    ($first:ident $($step:ident = $index:literal)*) => {
-        mod $first {
-            #[test]
-            fn source_reads_well() {
-                super::source_reads_well(stringify!($first));
-            }
-        }
-
-        $(mod $step {
-            use super::LESSONS;
-
-            #[test]
-            fn only_declared_files_differ_from_the_previous_step() {
-                super::only_declared_files_differ(&LESSONS[$index]);
-            }
-
-            #[test]
-            fn diff_is_the_committed_one() {
-                super::diff_is_the_committed_one(&LESSONS[$index]);
-            }
-
-            #[test]
-            fn diff_is_within_its_budget() {
-                super::diff_is_within_its_budget(&LESSONS[$index]);
-            }
-
-            #[test]
-            fn no_line_of_the_previous_step_moves() {
-                super::no_line_moves(&LESSONS[$index]);
-            }
-
-            #[test]
-            fn source_reads_well() {
-                super::source_reads_well(stringify!($step));
-            }
-        })*
-
-        #[test]
-        fn no_step_is_without_its_lesson() {
-            assert_eq!([stringify!($first), $(stringify!($step)),*], STEPS);
-            assert_eq!([$(LESSONS[$index].step),*], STEPS[1..]);
-        }
-    };
-}
-
-each_step! {
-    step01_rays
-    step02_sphere = 0
-    step03_triangle = 1
-    step04_scene = 2
-    step05_diffuse = 3
-    step06_shadows = 4
-    step07_specular = 5
-}
-
 #[test]
 fn budgets_are_small() {
-    let mut budgets = LESSONS.map(|lesson| lesson.budget);
+    let mut budgets = BUDGETS;
     budgets.sort_unstable();
-    let median = (budgets[2] + budgets[3]).div_ceil(2);
-    assert!(budgets[5] <= LARGEST, "the largest budget is {} lines, not {LARGEST}", budgets[5]);
+    let half = budgets.len() / 2;
+    let median = (budgets[half - 1 + budgets.len() % 2] + budgets[half]).div_ceil(2);
+    let largest = budgets[budgets.len() - 1];
+    assert!(largest <= LARGEST, "the largest budget is {largest} lines, not {LARGEST}");
     assert!(median <= MEDIAN, "the median of the budgets is {median} lines, not {MEDIAN}");
 }
 
@@ -485,49 +353,6 @@ fn no_line_leaves_a_file_and_comes_back() {
          same, list it in COME_BACK of tests/diffs.rs.",
         faults.join("\n")
     );
-}
-
-fn files_of(texts: &[(&str, &str)]) -> Files {
-    texts.iter().map(|(path, text)| ((*path).to_owned(), (*text).to_owned())).collect()
-}
-
-#[test]
-fn an_undeclared_difference_is_told_with_its_line() {
-    let lesson =
-        Lesson { step: "step03_triangle", adds: &["triangle.rs"], changes: &["lib.rs"], budget: 0 };
-    let old = [
-        ("Cargo.toml", "name = \"step02_sphere\"\ndescription = \"Round\"\n"),
-        ("main.rs", "step02_sphere::run()\n"),
-        ("src/lib.rs", "mod sphere;\n"),
-        ("src/sphere.rs", "one\ntwo\n"),
-    ];
-    let new = [
-        ("Cargo.toml", "name = \"step03_triangle\"\ndescription = \"Flat\"\n"),
-        ("main.rs", "step03_triangle::run()\n"),
-        ("src/lib.rs", "mod sphere;\nmod triangle;\n"),
-        ("src/sphere.rs", "one\ntwo\n"),
-        ("src/triangle.rs", "three\n"),
-    ];
-    let faults = |new: &[(&str, &str)]| {
-        let faults = undeclared(&lesson, &files_of(&old), &files_of(new));
-        faults.into_iter().map(|fault| fault.lines().next().expect("a line").to_owned())
-    };
-    assert_eq!(faults(&new).next(), None);
-    let with = |index: usize, text| {
-        let mut new = new;
-        new[index].1 = text;
-        faults(&new).collect::<Vec<_>>()
-    };
-    let differs = "of step03_triangle differs from step02_sphere's at line";
-    assert_eq!(with(0, "name = \"step03_triangle\"\n"), [format!("Cargo.toml {differs} 2:")]);
-    assert_eq!(with(1, "step03_triangle::go()\n"), [format!("main.rs {differs} 1:")]);
-    assert_eq!(with(3, "one\ntoo\n"), [format!("src/sphere.rs {differs} 2:")]);
-    assert_eq!(with(3, "one\ntwo"), [format!("src/sphere.rs {differs} 3:")]);
-    assert_eq!(with(2, "mod sphere;\n").len(), 1, "declared, but not changed");
-    assert_eq!(faults(&new[..4]).count(), 1, "declared, but not added");
-    assert_eq!(faults(&new[1..]).count(), 1, "left out");
-    let more = [&new[..], &[("src/more.rs", "")]].concat();
-    assert_eq!(faults(&more).count(), 1, "added, but not declared");
 }
 
 #[test]
