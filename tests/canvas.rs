@@ -132,18 +132,6 @@ fn a_clip_is_where_it_was_asked_for() {
 }
 
 #[test]
-fn the_largest_and_the_smallest_picture_can_be_drawn_on() {
-    for (width, height) in [(1, 1), (1, 16384), (16384, 1)] {
-        let picture = drawn(width, height, |canvas| {
-            let (right, bottom) = (width as f32, height as f32);
-            draw_all(canvas, (0.0, 0.0), (right, bottom), 30.0, "Área");
-            canvas.line((0.5, 0.5), (right - 0.5, bottom - 0.5), 2.0, Ink::WHITE);
-        });
-        assert!(picture.pixels().all(|pixel| pixel.0 == [255; 3]), "{width}x{height}");
-    }
-}
-
-#[test]
 fn a_border_is_within_its_area() {
     let area = Area::new(5.0, 6.0, 20.0, 10.0);
     let border = |width| inked(&drawn(40, 30, |canvas| canvas.border(area, width, RED))).len();
@@ -289,16 +277,6 @@ fn the_font_has_every_letter_and_tells_them_apart() {
             let apart: u32 = a.iter().zip(b.iter()).map(|(a, b)| u32::from(a.abs_diff(*b))).sum();
             let ink: u32 = a.iter().map(|sample| u32::from(*sample)).sum();
             assert!(f64::from(apart) > 0.2 * f64::from(ink), "{one} {other} at {size} px");
-        }
-    }
-}
-
-#[test]
-fn digits_align() {
-    for size in [9.0, 15.0, 31.5] {
-        let width = Font::width(size, "0000000000");
-        for digit in '1'..='9' {
-            assert_eq!(Font::width(size, &digit.to_string().repeat(10)), width);
         }
     }
 }

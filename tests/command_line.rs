@@ -16,30 +16,16 @@ use tests::files;
 use tests::only_line;
 use tests::setup;
 
-/// Arguments that no step takes, and words of the line that says so.
+/// Arguments that the last step does not take, and words of the line that says so.
 const WRONG: &[(&[&str], &[&str])] = &[
     (&["--size", "0x0"], &["'0x0'", "at least 1"]),
-    (&["--size", "0x5"], &["'0x5'", "at least 1"]),
     (&["--size", "100000x100000"], &["100000 pixels a side", "100 million"]),
     (&["--size", "100001x1"], &["100000 pixels a side"]),
-    (&["--size", "1x100001"], &["100000 pixels a side"]),
     (&["--size", "18446744073709551616x2"], &["100000 pixels a side"]),
-    (&["--size", "4294967296x4294967296"], &["100000 pixels a side"]),
     (&["--size", "-5x3"], &["'-5x3'", "WIDTHxHEIGHT", "960x540"]),
-    (&["-s", "-5x-3"], &["'-5x-3'", "WIDTHxHEIGHT"]),
-    (&["-s-5x3"], &["'-5x3'", "WIDTHxHEIGHT"]),
     (&["--size", "5"], &["'5'", "WIDTHxHEIGHT"]),
-    (&["--size", "5x"], &["'5x'", "WIDTHxHEIGHT"]),
-    (&["--size", "x5"], &["'x5'", "WIDTHxHEIGHT"]),
     (&["--size", "5x5x5"], &["'5x5x5'", "WIDTHxHEIGHT"]),
-    (&["--size", "5.5x5"], &["'5.5x5'", "WIDTHxHEIGHT"]),
-    (&["--size", "5,5"], &["'5,5'", "WIDTHxHEIGHT"]),
-    (&["--size", "5*5"], &["'5*5'", "WIDTHxHEIGHT"]),
-    (&["--size", "5 x 5"], &["'5 x 5'", "WIDTHxHEIGHT"]),
     (&["--size", ""], &["''", "WIDTHxHEIGHT"]),
-    (&["--size="], &["''", "WIDTHxHEIGHT"]),
-    (&["--size", "large"], &["'large'", "WIDTHxHEIGHT"]),
-    (&["--size", "nanxinf"], &["'nanxinf'", "WIDTHxHEIGHT"]),
     (&["--size", "٣x٣"], &["'٣x٣'", "WIDTHxHEIGHT"]),
     (&["--size", "3\n3"], &["--size", "WIDTHxHEIGHT"]),
     (&["--size", "--help"], &["'--help'", "WIDTHxHEIGHT"]),
@@ -48,18 +34,10 @@ const WRONG: &[(&[&str], &[&str])] = &[
     (&["--samples", "0"], &["'0'", "1 to 16"]),
     (&["--samples", "17"], &["'17'", "1 to 16"]),
     (&["--samples", "99999999999999999999"], &["1 to 16"]),
-    (&["--samples", "-1"], &["'-1'", "1 to 16"]),
-    (&["--samples", "1.5"], &["'1.5'", "1 to 16"]),
     (&["--samples", "two"], &["'two'", "1 to 16"]),
-    (&["--samples="], &["''", "1 to 16"]),
-    (&["--samples", "1", "--samples", "1"], &["--samples", "cannot be used multiple times"]),
     (&["--set", "fov"], &["'fov' has no '='", "NAME=VALUE"]),
-    (&["--set", ""], &["'' has no '='", "NAME=VALUE"]),
     (&["--set", "-h"], &["'-h' has no '='", "NAME=VALUE"]),
-    (&["--set"], &["--set <NAME=VALUE>", "value is required"]),
     (&["--set", "="], &["no control ''", "there are", "azimuth", "fov"]),
-    (&["--set", "=40"], &["no control ''", "there are"]),
-    (&["--set", "fovv=40"], &["no control 'fovv'", "did you mean 'fov'?", "azimuth"]),
     (&["--set", "FOV=40"], &["no control 'FOV'", "did you mean 'fov'?"]),
     (&["--set", "fov =40"], &["no control 'fov '", "did you mean 'fov'?"]),
     (&["--set", "distnace=4"], &["did you mean 'distance'?"]),
@@ -68,93 +46,44 @@ const WRONG: &[(&[&str], &[&str])] = &[
     (&["--set", "fo\u{1b}[31mv=4"], &[r"no control 'fo\u{1b}[31mv'"]),
     (&["--set", "fo\u{9b}31mv=4"], &[r"no control 'fo\u{9b}31mv'"]),
     (&["--set", "fov=nan"], &["'fov' cannot be 'nan'", "1 to 170"]),
-    (&["--set", "fov=inf"], &["'fov' cannot be 'inf'", "1 to 170"]),
-    (&["--set", "fov=-inf"], &["'fov' cannot be '-inf'", "1 to 170"]),
     (&["--set", "fov=0"], &["'fov' cannot be '0'", "1 to 170"]),
     (&["--set", "fov=180"], &["'fov' cannot be '180'", "1 to 170"]),
-    (&["--set", "fov=1e99"], &["'fov' cannot be '1e99'", "1 to 170"]),
-    (&["--set", "fov="], &["'fov' cannot be ''", "1 to 170"]),
-    (&["--set", "fov=40°"], &["'fov' cannot be '40°'", "1 to 170"]),
-    (&["--set", "fov=4,5"], &["'fov' cannot be '4,5'", "1 to 170"]),
-    (&["--set", "fov=4=5"], &["'fov' cannot be '4=5'", "1 to 170"]),
     (&["--set", "fov=4\n5"], &[r"'fov' cannot be '4\n5'", "1 to 170"]),
     (&["--set", "camera=wide"], &["'camera' cannot be 'wide'", "perspective | parallel"]),
-    (&["--set", "fov=40", "--set", "fov=0"], &["'fov' cannot be '0'"]),
     (&["--set", "fov=0", "--set", "fov=40"], &["'fov' cannot be '0'"]),
     (&["--camera", "wide"], &["'wide'", "--camera", "perspective, parallel"]),
-    (&["--camera", "Parallel"], &["'Parallel'", "perspective, parallel"]),
     (&["--camera", "paralel"], &["'paralel'", "similar", "'parallel'"]),
-    (&["--camera", ""], &["--camera", "perspective, parallel"]),
-    (&["--camera"], &["--camera <KIND>", "perspective, parallel"]),
-    (
-        &["--camera", "parallel", "--camera", "parallel"],
-        &["--camera", "cannot be used multiple times"],
-    ),
     (&["--pixel", "960,0"], &["no pixel 960,0", "960x540", "0,0 to 959,539"]),
-    (&["--pixel", "0,540"], &["no pixel 0,540", "0,0 to 959,539"]),
     (&["-s", "9x5", "--pixel", "9,5"], &["no pixel 9,5", "9x5", "0,0 to 8,4"]),
     (&["--pixel", "-1,0"], &["'-1,0'", "whole numbers from 0"]),
-    (&["--pixel", "1.5,0"], &["'1.5,0'", "whole numbers from 0"]),
-    (&["--pixel", "1,2,3"], &["'1,2,3'", "whole numbers from 0"]),
     (&["--pixel", "99999999999999999999,0"], &["whole numbers from 0"]),
-    (&["--pixel", ","], &["','", "whole numbers from 0"]),
     (&["--pixel", "5"], &["'5'", "X,Y", "480,270"]),
-    (&["--pixel", "5x5"], &["'5x5'", "X,Y", "480,270"]),
     (&["--pixel", ""], &["''", "X,Y", "480,270"]),
-    (&["--pixel"], &["--pixel <X,Y>", "value is required"]),
     (&["--outside"], &["required", "--output <FILE>"]),
     (&["--outside", "-o", "a.png", "--compare", "b.png"], &["--outside", "cannot be used with"]),
     (&["--set", "outside.azmuth=1"], &["no control 'outside.azmuth'", "'outside.azimuth'?"]),
     (&["--set", "outside.distance=no"], &["distance", "0.1 to 100"]),
     (&["--pixel", "1,1", "--samples", "2"], &["--pixel", "cannot be used with", "--samples"]),
     (&["--compare", "a.png", "--pixel", "1,1"], &["--pixel", "cannot be used with", "--compare"]),
-    (&["--pixel", "1,1", "--pixel", "2,2"], &["--pixel", "cannot be used multiple times"]),
     (&["--output"], &["--output <FILE>", "value is required"]),
-    (&["-o", "", "-s", "9x9"], &["--output <FILE>", "value is required"]),
     (&["-o", "-s", "9x9"], &["--output <FILE>", "value is required"]),
-    (&["-o", "a.png", "-o", "b.png"], &["--output", "cannot be used multiple times"]),
     (&["-o", "a.jpg"], &["'a.jpg'", "name it a.png"]),
-    (&["-o", "a.JPEG"], &["'a.JPEG'", "name it a.png"]),
     (&["-o", "b.c/a.ppm"], &["'b.c/a.ppm'", "name it b.c/a.png"]),
-    (&["--compare"], &["--compare <FILE>", "value is required"]),
-    (&["--compare", ""], &["--compare <FILE>", "value is required"]),
-    (&["--compare", "a.png", "--compare", "b.png"], &["--compare", "multiple times"]),
     (&["--check", "step99"], &["no step 'step99'", "step01_rays, step02_sphere"]),
-    (&["--check", ""], &["no step ''", "step07_specular"]),
-    (&["--check"], &["--check <STEP>", "value is required"]),
     (&["--check", "step01_rays", "-s", "9x9"], &["--check", "cannot be used with", "--size"]),
     (&["--bogus"], &["unexpected argument '--bogus'"]),
-    (&["--sizes", "9x9"], &["unexpected argument '--sizes'", "similar", "'--size'"]),
     (&["--out=a.png"], &["unexpected argument '--out'", "similar", "'--output'"]),
-    (&["-x"], &["unexpected argument '-x'"]),
-    (&["-xs", "9x9"], &["unexpected argument '-x'"]),
-    (&["--version"], &["unexpected argument '--version'"]),
     (&["--help=all"], &["unexpected value 'all'", "--help"]),
     (&["picture.png"], &["unexpected argument 'picture.png'"]),
-    (&["-s", "9x9", "picture.png"], &["unexpected argument 'picture.png'"]),
-    (&["--", "picture.png"], &["unexpected argument 'picture.png'"]),
-    (&[""], &["unexpected argument ''"]),
     (&["a\nb"], &["unexpected argument", "a", "b"]),
-];
-
-/// The same for what only the last step has.
-const WRONG_IN_THE_LAST_STEP: &[(&[&str], &[&str])] = &[
     (&["--set", "radus=1"], &["no control 'radus'", "did you mean 'radius'?"]),
-    (&["--set", "ks=0.5"], &["did you mean 'k_s'?"]),
     (&["--set", "l_s=1"], &["did you mean 'L_s'?"]),
-    (&["--set", "L_s=on"], &["'L_s' cannot be 'on'", "0 to 1"]),
     (&["--set", "k_s=1.5"], &["'k_s' cannot be '1.5'", "0 to 1"]),
     (&["--set", "light=camera"], &["'light' cannot be 'camera'", "key | fill"]),
-    (&["--set", "radius=0"], &["'radius' cannot be '0'", "0.1 to 2"]),
-    (&["--set", "radius=-1"], &["'radius' cannot be '-1'", "0.1 to 2"]),
     (&["--set", "epsilon=1"], &["'epsilon' cannot be '1'", "0 to 0.1"]),
     (&["--set", "lights=3"], &["'lights' cannot be '3'", "0 to 2"]),
-    (&["--set", "lights=1.5"], &["'lights' cannot be '1.5'", "0 to 2"]),
-    (&["--set", "lights=-1"], &["'lights' cannot be '-1'", "0 to 2"]),
     (&["--set", "shadows=maybe"], &["'shadows' cannot be 'maybe'", "on | off"]),
-    (&["--set", "shadows=1"], &["'shadows' cannot be '1'", "on | off"]),
     (&["--set", "sphere=yellow"], &["'sphere' cannot be 'yellow'", "red | green | blue"]),
-    (&["--set", "sphere=Red"], &["'sphere' cannot be 'Red'", "red | green | blue"]),
 ];
 
 /// Runs the step in an empty folder.
@@ -186,13 +115,11 @@ fn assert_refused(name: &str, arguments: &[OsString], words: &[&str]) {
 
 #[test]
 fn wrong_arguments_are_refused_in_one_line() {
-    for name in STEPS {
-        for (arguments, words) in WRONG {
-            assert_refused(name, &strings(arguments), words);
-        }
-    }
-    for (arguments, words) in WRONG_IN_THE_LAST_STEP {
+    for (arguments, words) in WRONG {
         assert_refused(STEPS[6], &strings(arguments), words);
+    }
+    for name in STEPS {
+        assert_refused(name, &strings(&["--set", "fov=0"]), &["'fov' cannot be '0'", "1 to 170"]);
     }
 }
 
@@ -309,7 +236,8 @@ fn closed_pipe() -> Stdio {
 fn standard_output_may_be_closed_early() {
     let folder = tempdir().expect("a folder");
     let mut given = command(STEPS[6], folder.path());
-    assert!(given.args(["-s", "9x9", "-o", "a.png"]).status().expect("it runs").success());
+    let given = given.args(["-s", "9x9", "-o", "a.png"]).output().expect("it runs");
+    assert!(given.status.success(), "a picture to compare with");
     for (arguments, lines) in [
         (&["--help"][..], 0),
         (&["--pixel", "480,270"], 0),

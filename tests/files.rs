@@ -271,33 +271,6 @@ fn png(picture: impl Into<DynamicImage>) -> Vec<u8> {
     bytes.into_inner()
 }
 
-/// The white sphere of step 02 on black is a picture that every kind of PNG can hold.
-#[test]
-fn a_png_of_any_kind_is_compared() {
-    let image = DynamicImage::ImageRgb8(expected(1, 32, 18));
-    let kinds: [DynamicImage; 8] = [
-        image.to_rgb8().into(),
-        image.to_rgba8().into(),
-        image.to_luma8().into(),
-        image.to_luma_alpha8().into(),
-        image.to_rgb16().into(),
-        image.to_rgba16().into(),
-        image.to_luma16().into(),
-        image.to_luma_alpha16().into(),
-    ];
-    let folder = tempdir().expect("a folder");
-    for image in kinds {
-        let kind = image.color();
-        fs::write(folder.path().join("a.png"), png(image)).expect("written");
-        let mut program = command(STEPS[1], folder.path());
-        let output = program.args(["-s", "32x18", "--compare", "a.png"]).output().expect("it runs");
-        let said = only_line(&output);
-        let found = String::from_utf8_lossy(&output.stdout);
-        assert_eq!(found, "a.png: equal to the last digit\n", "{kind:?}: {said}");
-        assert_eq!(output.status.code(), Some(0), "{kind:?}");
-    }
-}
-
 #[test]
 fn what_is_no_picture_is_refused_in_one_line() {
     let whole = png(RgbImage::new(9, 9));

@@ -167,20 +167,6 @@ fn a_value_put_back_by_hand_is_no_change() {
 }
 
 #[test]
-fn what_is_refused_changes_nothing_and_says_what_there_is() {
-    let mut setup = setup(6);
-    for (name, value, words) in [
-        ("radius", "9", "'radius' cannot be '9': it takes 0.1 to 2"),
-        ("sphere", "yellow", "'sphere' cannot be 'yellow': it takes red | green | blue"),
-        ("center", "1", "there is no control 'center'; there are sphere, center.x"),
-    ] {
-        let error = setup.set(name, value).expect_err("it is refused").to_string();
-        assert!(error.starts_with(words), "{error}");
-        assert_eq!(setup.settings(), Vec::<String>::new(), "{name}={value} was refused");
-    }
-}
-
-#[test]
 fn a_choice_stands_before_the_controls_of_its_objects() {
     for (index, name) in STEPS.iter().enumerate() {
         let list = setup(index).list();
