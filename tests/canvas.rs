@@ -55,7 +55,6 @@ fn draw_all(canvas: &mut Canvas<'_>, a: (f32, f32), b: (f32, f32), length: f32, 
     let source = RgbImage::from_fn(7, 5, |col, row| Rgb([200, 30 * col as u8, 40 * row as u8]));
     canvas.fill(area, RED);
     canvas.fill(area, RED.with_alpha(99));
-    canvas.dim(area, length);
     canvas.border(area, length, RED);
     canvas.picture(&source, area);
     canvas.line(a, b, length, RED);

@@ -28,7 +28,7 @@ fn on_window(from_middle: Vec3, horizontal: Vec3, vertical: Vec3) -> Option<(f32
 }
 
 /// The smallest and largest vertical field of view, in degrees.
-pub const FIELD_OF_VIEW: std::ops::RangeInclusive<f32> = 1.0..=170.0;
+pub(crate) const FIELD_OF_VIEW: std::ops::RangeInclusive<f32> = 1.0..=170.0;
 
 /// Right, up and backward: unit vectors at right angles to each other.
 ///
@@ -56,7 +56,7 @@ pub struct PerspectiveCamera {
 impl PerspectiveCamera {
     /// A camera at `eye` that looks at `target`; `up` points upwards on the picture.
     ///
-    /// `field_of_view` is the vertical angle in degrees, taken into [`FIELD_OF_VIEW`]; `aspect`
+    /// `field_of_view` is the vertical angle in degrees, at least 1 and at most 170; `aspect`
     /// is width over height. `eye` = `target` looks along −z, and an `up` along the line of sight
     /// is replaced by z.
     pub fn new(eye: Vec3, target: Vec3, up: Vec3, field_of_view: f32, aspect: f32) -> Self {

@@ -8,12 +8,12 @@ use crate::text;
 /// How far one picture is from another, and where.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Comparison {
-    /// Equal within the threshold: no channel is more than [`TOLERANCE`] apart but for at most
+    /// Equal within the threshold: no channel is more than 1/255 apart but for at most
     /// three pixels; how many pixels differ at all, and how many are such strays.
     Equal {
         /// Pixels that are not the same to the last digit.
         inexact: usize,
-        /// Pixels with a channel more than [`TOLERANCE`] apart.
+        /// Pixels with a channel more than 1/255 apart.
         strays: usize,
     },
     /// The pictures are of different sizes.
@@ -30,7 +30,7 @@ pub enum Comparison {
 /// Where and how two pictures of one size differ.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
-    /// How many pixels have a channel more than [`TOLERANCE`] apart.
+    /// How many pixels have a channel more than 1/255 apart.
     pub pixels: usize,
     /// How many pixels there are.
     pub of: usize,
@@ -47,7 +47,7 @@ pub struct Difference {
 }
 
 /// How far a channel may be off, in steps of 1/255.
-pub const TOLERANCE: u8 = 1;
+pub(crate) const TOLERANCE: u8 = 1;
 
 /// How many pixels may be further off, in a picture of at least 3000: of a smaller one, one in a
 /// thousand. On a silhouette the last bit of a number, which differs between platforms, decides

@@ -259,7 +259,7 @@ impl Control<'_> {
     }
 
     /// Takes the number nearest to `number` in its range; nothing happens to what is no number.
-    pub fn set_nearest(&mut self, number: f32) {
+    pub(crate) fn set_nearest(&mut self, number: f32) {
         if let Kind::Number(value, range) | Kind::Logarithmic(value, range) = &mut self.kind
             && !number.is_nan()
         {

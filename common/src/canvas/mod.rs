@@ -77,11 +77,6 @@ impl<'a> Canvas<'a> {
         }
     }
 
-    /// Darkens `area`: by nothing for a `strength` of 0, to black for 1.
-    pub fn dim(&mut self, area: Area, strength: f32) {
-        self.fill(area, Ink::BLACK.with_alpha((255.0 * strength).round() as u8));
-    }
-
     /// Draws the four sides of `area`, `width` wide, within it.
     pub fn border(&mut self, area: Area, width: f32, ink: Ink) {
         if !usual(&[], &[width]) {

@@ -9,7 +9,6 @@ use crate::Camera;
 use crate::Color;
 use crate::Explanation;
 use crate::Frame;
-use crate::Outcome;
 use crate::Pixel;
 use crate::Place;
 use crate::Ray;
@@ -18,6 +17,7 @@ use crate::Step;
 use crate::TOLERANCE;
 use crate::compare::off;
 use crate::encode;
+use crate::sight::first_hit;
 use crate::translated;
 use known::CENTER;
 use known::VISIBLE;
@@ -138,7 +138,7 @@ impl Mistake {
                     let Some((ray, light)) = ray.zip(group.lines.last()) else { continue };
                     let (from, to) = range(ray.direction.length());
                     let ahead = Ray::new(ray.at(from), ray.direction);
-                    if first_hit(step, ahead, pixel).is_some_and(|t| t + from < to) {
+                    if first_hit(step, &ahead).is_some_and(|t| t + from < to) {
                         color -= Color::try_from(light.value).unwrap_or(Color::ZERO);
                     }
                 }
@@ -155,23 +155,6 @@ pub fn centered(frame: &Frame<'_>) -> RgbImage {
         let pixel = Pixel { col: col as usize, row: row as usize, width, height };
         let mut said = Explanation::mistaken(pixel, &[CENTER]);
         Rgb(encode(frame.step.tell(frame.camera, pixel, &mut said)))
-    })
-}
-
-/// The t of the first hit along `ray`.
-fn first_hit(step: &dyn Step, ray: Ray, pixel: Pixel) -> Option<f32> {
-    struct Along(Ray);
-
-    impl Camera for Along {
-        fn generate_ray(&self, _u: f32, _v: f32) -> Ray {
-            self.0
-        }
-    }
-
-    let said = step.explain(&Along(ray), pixel);
-    said.sections.iter().flat_map(|section| &section.groups).find_map(|group| match group.outcome {
-        Outcome::Closest(t) => Some(t),
-        _ => None,
     })
 }
 
