@@ -5,19 +5,11 @@
 
 use std::rc::Rc;
 
-use common::Color;
 use common::Event;
-use common::Frame;
 use common::Key;
 use common::Program;
-use common::Ray;
 use common::Session;
-use common::Setup;
-use common::Silent;
-use common::Size;
-use common::Vec3;
 use common::Wanted;
-use common::encode;
 use divan::Bencher;
 use divan::black_box;
 use image::RgbImage;
@@ -30,7 +22,7 @@ use step07_specular::scene::lecture_scene;
 use step07_specular::sphere::Sphere;
 use step07_specular::surface::Surface;
 use step07_specular::triangle::Triangle;
-use tests::STEPS;
+use tests::prelude::*;
 
 fn main() {
     divan::main();

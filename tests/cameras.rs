@@ -1,28 +1,12 @@
 //! Where viewing rays start and go, and which ray belongs to which pixel.
 
-use common::Camera;
-use common::Color;
-use common::Controls;
-use common::Explanation;
-use common::Frame;
-use common::Image;
 use common::OrthographicCamera;
 use common::PerspectiveCamera;
-use common::Pixel;
-use common::Projection;
-use common::Ray;
-use common::Size;
-use common::Step;
-use common::Vec3;
-use common::View;
 use common::check_loop;
-use common::encode;
-use tests::checks;
-use tests::colors;
 use tests::every_step::Near;
-use tests::every_step::Package;
 use tests::every_step::TOLERANCE;
 use tests::every_step::assert_near;
+use tests::prelude::*;
 
 checks!(packages {
     pixels_lie_at_their_centres,

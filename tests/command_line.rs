@@ -7,14 +7,9 @@ use std::process::Command;
 use std::process::Output;
 use std::process::Stdio;
 
-use common::Size;
 use image::ImageReader;
 use tempfile::tempdir;
-use tests::STEPS;
-use tests::command;
-use tests::files;
-use tests::only_line;
-use tests::setup;
+use tests::prelude::*;
 
 /// Arguments that the last step does not take, and words of the line that says so.
 const WRONG: &[(&[&str], &[&str])] = &[

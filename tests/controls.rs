@@ -2,17 +2,9 @@
 
 use std::fmt;
 
-use common::Color;
-use common::Controls;
-use common::Setting;
-use common::Setup;
-use common::Vec3;
 use image::RgbImage;
-use tests::STEPS;
 use tests::every_step::Near;
-use tests::picture_of;
-use tests::setup;
-use tests::step;
+use tests::prelude::*;
 
 const WIDTH: usize = 160;
 const HEIGHT: usize = 90;

@@ -11,23 +11,15 @@ use std::process::Command;
 use std::process::Output;
 use std::rc::Rc;
 
-use common::Frame;
 use common::Mistake;
 use common::Pair;
-use common::Setup;
-use common::Size;
 use image::Rgb;
 use image::RgbImage;
 use image::imageops;
 use tempfile::tempdir;
-use tests::STEPS;
-use tests::command;
 use tests::empty_folder;
-use tests::files;
-use tests::picture;
-use tests::root;
+use tests::prelude::*;
 use tests::say;
-use tests::step;
 
 /// The text of a file that is replaced, and by what.
 type Change = (&'static str, &'static str, &'static str);

@@ -6,26 +6,15 @@
 
 use std::collections::HashMap;
 
-use common::Camera;
-use common::Color;
-use common::Explanation;
 use common::Group;
-use common::Image;
 use common::Line;
 use common::Listener;
 use common::Outcome;
-use common::Pixel;
 use common::Place;
-use common::Ray;
-use common::Step;
 use common::Value;
-use common::Vec3;
-use common::View;
-use common::encode;
 use fastrand::Rng;
 use glam::DVec3;
-use tests::STEPS;
-use tests::every_step::Package;
+use tests::prelude::*;
 
 tests::checks!(packages { what_is_told_is_what_is_drawn_and_adds_up });
 

@@ -20,15 +20,8 @@ use image::ImageFormat;
 use image::RgbImage;
 use tempfile::TempDir;
 use tempfile::tempdir;
-use tests::STEPS;
-use tests::X11;
-use tests::command;
-use tests::files;
 use tests::mend_checksums;
-use tests::only_line;
-use tests::picture;
-use tests::read_picture;
-use tests::step;
+use tests::prelude::*;
 
 const STEP: &str = STEPS[6];
 

@@ -7,16 +7,6 @@
 //! PROPTEST_CASES=100000 PROPTEST_RNG_SEED=1 cargo test --test fuzz
 //! ```
 
-use common::Color;
-use common::Frame;
-use common::Pixel;
-use common::Projection;
-use common::Ray;
-use common::Silent;
-use common::Size;
-use common::Step;
-use common::Vec3;
-use common::View;
 use proptest::array::uniform3;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -30,15 +20,7 @@ use step07_specular::sphere::Sphere;
 use step07_specular::surface::Surface;
 use step07_specular::triangle::Triangle;
 use tempfile::tempdir;
-use tests::STEPS;
-use tests::X11;
-use tests::chance::config;
-use tests::command;
-use tests::files;
-use tests::only_line;
-use tests::picture;
-use tests::setup;
-use tests::step;
+use tests::prelude::*;
 
 /// Text that is nearly right, or anything but a NUL, which no argument can have.
 fn text() -> impl Strategy<Value = String> {

@@ -1,16 +1,7 @@
 //! Where rays meet spheres and triangles.
 
-use common::Ray;
-use common::Vec3;
-use tests::checks;
-use tests::every_step::Ball;
-use tests::every_step::Hit;
-use tests::every_step::Spheres;
-use tests::every_step::Triangles;
-use tests::every_step::hit;
 use tests::every_step::miss;
-use tests::every_step::near;
-use tests::every_step::number;
+use tests::prelude::*;
 
 checks!(spheres {
     a_ray_from_outside_hits_the_near_side,

@@ -9,9 +9,6 @@ use std::path::Path;
 use std::path::PathBuf;
 use std::process::Output;
 
-use common::Frame;
-use common::Setup;
-use common::Size;
 use pulldown_cmark::CodeBlockKind;
 use pulldown_cmark::Event;
 use pulldown_cmark::HeadingLevel;
@@ -19,16 +16,9 @@ use pulldown_cmark::Options;
 use pulldown_cmark::Parser;
 use pulldown_cmark::Tag;
 use pulldown_cmark::TagEnd;
-use tests::STEPS;
-use tests::X11;
-use tests::command;
 use tests::empty_folder;
-use tests::files;
 use tests::hold_picture;
-use tests::picture_of;
-use tests::root;
-use tests::setup;
-use tests::step;
+use tests::prelude::*;
 
 /// A part of a README that can be held to something.
 #[derive(Clone, Debug, PartialEq)]

@@ -9,6 +9,7 @@
 pub mod chance;
 pub mod every_step;
 pub mod povray;
+pub mod prelude;
 
 use std::ffi::OsString;
 use std::fs;

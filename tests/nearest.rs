@@ -1,14 +1,6 @@
 //! What a ray meets first, of many.
 
-use common::Color;
-use common::Vec3;
-use tests::checks;
-use tests::every_step::Ball;
-use tests::every_step::Paint;
-use tests::every_step::Scenes;
-use tests::every_step::World;
-use tests::every_step::hit;
-use tests::every_step::near;
+use tests::prelude::*;
 
 use crate::geometry::down;
 use crate::geometry::open_range;

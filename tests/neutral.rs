@@ -1,20 +1,7 @@
 //! Switching off what a step adds gives the step before it, to the last bit of every pixel.
 
-use common::Camera;
-use common::Color;
 use common::Control;
-use common::Explanation;
-use common::Pixel;
-use common::Projection;
-use common::Step;
-use common::Vec3;
-use common::View;
-use tests::every_step::Ball;
-use tests::every_step::Package;
-use tests::every_step::Paint;
-use tests::every_step::Scenes;
-use tests::every_step::World;
-use tests::every_step::number;
+use tests::prelude::*;
 
 const WIDTH: usize = 96;
 const HEIGHT: usize = 54;

@@ -7,17 +7,11 @@ use std::path::Path;
 use std::path::PathBuf;
 
 use common::Comparison;
-use common::View;
 use common::side_by_side;
 use image::Rgb;
 use image::RgbImage;
-use tests::STEPS;
-use tests::checks;
-use tests::every_step::Package;
 use tests::hold_picture;
-use tests::picture;
-use tests::read_picture;
-use tests::step;
+use tests::prelude::*;
 
 checks!(packages { is_the_committed_picture_in_perspective, is_the_committed_picture_in_parallel });
 

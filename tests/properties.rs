@@ -2,9 +2,6 @@
 //!
 //! The cases are always the same; `PROPTEST_CASES` makes them more and `PROPTEST_RNG_SEED` different.
 
-use common::Color;
-use common::Ray;
-use common::Vec3;
 use proptest::arbitrary::any;
 use proptest::collection::vec;
 use proptest::prop_assert;
@@ -17,19 +14,7 @@ use proptest::test_runner::Config;
 use proptest::test_runner::TestCaseError;
 use proptest::test_runner::TestCaseResult;
 use proptest::test_runner::TestRunner;
-use tests::chance::config;
-use tests::checks;
-use tests::every_step::Ball;
-use tests::every_step::Hit;
-use tests::every_step::Light;
-use tests::every_step::Lights;
-use tests::every_step::Package;
-use tests::every_step::Paint;
-use tests::every_step::Scenes;
-use tests::every_step::Shadows;
-use tests::every_step::Spheres;
-use tests::every_step::Triangles;
-use tests::every_step::World;
+use tests::prelude::*;
 
 checks!(spheres { hits_lie_on_the_sphere });
 

@@ -5,12 +5,9 @@ use std::path::Path;
 use std::path::PathBuf;
 
 use image::RgbImage;
-use tests::checks;
 use tests::compare;
-use tests::every_step::Scenes;
-use tests::picture;
 use tests::povray;
-use tests::read_picture;
+use tests::prelude::*;
 use tests::say;
 
 checks!(scenes {

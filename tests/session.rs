@@ -5,22 +5,16 @@ use std::rc::Rc;
 use common::Area;
 use common::Effect;
 use common::Event;
-use common::Explanation;
-use common::Frame;
 use common::Ink;
 use common::Key;
-use common::Pixel;
 use common::Program;
 use common::Session;
-use common::Setup;
-use common::Size;
 use common::Wanted;
 use common::symbol_ink;
 use image::Rgb;
 use image::RgbImage;
 use image::imageops;
-use tests::STEPS;
-use tests::step;
+use tests::prelude::*;
 
 fn size(width: usize, height: usize) -> Size {
     Size::new(width, height).expect("a size")

@@ -2,10 +2,6 @@
 
 use std::rc::Rc;
 
-use common::Color;
-use common::Setting;
-use common::Setup;
-use common::Vec3;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::Index;
@@ -14,10 +10,7 @@ use step07_specular::light::PointLight;
 use step07_specular::scene::Object;
 use step07_specular::sphere::Sphere;
 use step07_specular::surface::Surface;
-use tests::STEPS;
-use tests::chance::config;
-use tests::colors;
-use tests::setup;
+use tests::prelude::*;
 
 /// What is done with a setup, by hand.
 #[derive(Clone, Debug)]

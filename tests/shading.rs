@@ -1,20 +1,6 @@
 //! What colour a hit gets, but for highlights.
 
-use common::Color;
-use common::Ray;
-use common::Vec3;
-use common::encode;
-use tests::STEPS;
-use tests::checks;
-use tests::colors;
-use tests::every_step::Ball;
-use tests::every_step::Light;
-use tests::every_step::Lights;
-use tests::every_step::Paint;
-use tests::every_step::Scenes;
-use tests::every_step::Shadows;
-use tests::every_step::World;
-use tests::every_step::near;
+use tests::prelude::*;
 
 checks!(lights {
     a_face_turned_by_60_degrees_takes_half_the_light,

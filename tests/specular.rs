@@ -1,17 +1,11 @@
 //! Highlights, which only the last step has.
 
-use common::Color;
-use common::Silent;
-use common::Vec3;
 use step07_specular::Lesson as Specular;
 use step07_specular::material::blinn_phong;
 use step07_specular::material::phong;
-use tests::every_step::Light;
-use tests::every_step::Paint;
 use tests::every_step::TOLERANCE;
-use tests::every_step::World;
-use tests::every_step::near;
 use tests::every_step::within;
+use tests::prelude::*;
 
 use crate::shading::ABOVE;
 use crate::shading::EYE;
