@@ -16,6 +16,8 @@ use image::RgbImage;
 use image::imageops;
 use tests::prelude::*;
 
+const WINDOW: Size = Size::DEFAULT;
+
 fn size(width: usize, height: usize) -> Size {
     Size::new(width, height).expect("a size")
 }
@@ -45,6 +47,12 @@ fn lecture(index: usize) -> Session {
 
 fn key(session: &mut Session, key: Key) -> Vec<Effect> {
     session.handle(Event::Key(key, false))
+}
+
+/// `session` in a [`WINDOW`].
+fn wide(mut session: Session) -> Session {
+    session.handle(Event::Resize(WINDOW));
+    session
 }
 
 /// What `session` paints into a window of `window`.
@@ -83,6 +91,12 @@ fn click(session: &mut Session, (x, y): (f32, f32)) -> Vec<Effect> {
     let mut effects = session.handle(Event::Press(x, y));
     effects.extend(session.handle(Event::Release(x, y)));
     effects
+}
+
+fn drag(session: &mut Session, (x, y): (f32, f32), (right, down): (f32, f32)) {
+    session.handle(Event::Press(x, y));
+    session.handle(Event::Move(right, down));
+    session.handle(Event::Release(right, down));
 }
 
 fn click_middle(session: &mut Session) -> Vec<Effect> {
@@ -317,10 +331,8 @@ fn slide(session: &mut Session, window: Size) -> bool {
 
 #[test]
 fn a_slider_is_dragged_to_its_ends() {
-    let window = size(960, 540);
-    let mut session = session(1);
-    session.handle(Event::Resize(window));
-    assert!(slide(&mut session, window), "no slider was found");
+    let mut session = wide(session(1));
+    assert!(slide(&mut session, WINDOW), "no slider was found");
     session.handle(Event::Move(5000.0, 5000.0));
     assert_eq!(text(&session, "radius"), "2");
     session.handle(Event::Move(-5000.0, 0.0));
@@ -332,9 +344,7 @@ fn a_slider_is_dragged_to_its_ends() {
 
 #[test]
 fn a_press_on_the_name_of_a_control_selects_it_and_changes_nothing() {
-    let window = size(960, 540);
-    let mut session = session(1);
-    session.handle(Event::Resize(window));
+    let mut session = wide(session(1));
     let places = (0..540).step_by(6).flat_map(|y| (0..960).step_by(6).map(move |x| (x, y)));
     let is_a_name = |(x, y): (u16, u16)| {
         let at = (f32::from(x), f32::from(y));
@@ -365,15 +375,13 @@ fn what_is_left_for_another_window_is_let_go() {
 
 #[test]
 fn the_wheel_beside_the_picture_scrolls() {
-    let window = size(960, 540);
-    let mut session = session(6);
-    session.handle(Event::Resize(window));
+    let mut session = wide(session(6));
     click_middle(&mut session);
     let distance = session.setup().view().distance;
-    let before = paint(&mut session, window);
+    let before = paint(&mut session, WINDOW);
     session.handle(Event::Move(900.0, 200.0));
     session.handle(Event::Wheel(-3.0));
-    let after = paint(&mut session, window);
+    let after = paint(&mut session, WINDOW);
     assert_eq!(session.setup().view().distance, distance);
     let bar = |image: &RgbImage| {
         (0..540).filter(|row| image.get_pixel(956, *row).0 == [128, 140, 160]).min()
@@ -381,9 +389,8 @@ fn the_wheel_beside_the_picture_scrolls() {
     assert!(bar(&before).is_some() && bar(&before) < bar(&after), "the scroll bar goes down");
     // Back to the top, and not beyond.
     session.handle(Event::Wheel(50.0));
-    assert!(paint(&mut session, window) == before);
-    let mut unpinned = crate::session(6);
-    unpinned.handle(Event::Resize(window));
+    assert!(paint(&mut session, WINDOW) == before);
+    let mut unpinned = wide(crate::session(6));
     unpinned.handle(Event::Move(900.0, 200.0));
     unpinned.handle(Event::Wheel(-3.0));
     assert_eq!(unpinned.setup().view().distance, distance);
@@ -391,20 +398,18 @@ fn the_wheel_beside_the_picture_scrolls() {
 
 #[test]
 fn a_click_on_a_heading_folds() {
-    let window = size(960, 540);
-    let mut session = session(6);
-    session.handle(Event::Resize(window));
+    let mut session = wide(session(6));
     click_middle(&mut session);
     key(&mut session, Key::Down);
-    let open = paint(&mut session, window);
+    let open = paint(&mut session, WINDOW);
     // The first row of the explanation is the pixel, the second the section.
     let em = 0.0385 * 540.0;
     let heading = (session.picture_area().right() + 100.0, 2.8 * em);
     click(&mut session, heading);
-    let folded = paint(&mut session, window);
+    let folded = paint(&mut session, WINDOW);
     assert!(open != folded);
     click(&mut session, heading);
-    assert!(paint(&mut session, window) == open);
+    assert!(paint(&mut session, WINDOW) == open);
 }
 
 #[test]
@@ -428,13 +433,12 @@ fn letters_grow_and_shrink() {
 
 #[test]
 fn f1_lists_the_keys_and_f2_saves() {
-    let window = size(960, 540);
     let mut session = session(6);
-    let before = painted(&mut session, window);
+    let before = painted(&mut session, WINDOW);
     key(&mut session, Key::F(1));
-    assert!(paint(&mut session, window) != before);
+    assert!(paint(&mut session, WINDOW) != before);
     key(&mut session, Key::F(1));
-    assert!(paint(&mut session, window) == before);
+    assert!(paint(&mut session, WINDOW) == before);
     // While the picture is alone they are asked for, not left.
     for alone in [false, true] {
         if alone {
@@ -442,17 +446,17 @@ fn f1_lists_the_keys_and_f2_saves() {
         }
         key(&mut session, Key::Space);
         key(&mut session, Key::F(1));
-        assert!(paint(&mut session, window) != before && session.picture_area().width < 960.0);
+        assert!(paint(&mut session, WINDOW) != before && session.picture_area().width < 960.0);
         key(&mut session, Key::F(1));
-        assert!(paint(&mut session, window) == before);
+        assert!(paint(&mut session, WINDOW) == before);
     }
     // Escape leaves the keys first.
     key(&mut session, Key::F(1));
     assert!(!key(&mut session, Key::Escape).contains(&Effect::Quit));
-    assert!(paint(&mut session, window) == before);
+    assert!(paint(&mut session, WINDOW) == before);
     assert!(key(&mut session, Key::F(2)).contains(&Effect::Save));
     session.handle(Event::Say("cannot write: the disc is full".to_owned()));
-    assert!(paint(&mut session, window) != before);
+    assert!(paint(&mut session, WINDOW) != before);
 }
 
 #[test]
@@ -477,20 +481,18 @@ fn how_the_picture_was_made_stands_where_nothing_else_does() {
 
 #[test]
 fn vectors_are_shown_and_hidden() {
-    let window = size(960, 540);
-    let mut session = session(6);
-    session.handle(Event::Resize(window));
+    let mut session = wide(session(6));
     click_middle(&mut session);
-    let shown = paint(&mut session, window);
+    let shown = paint(&mut session, WINDOW);
     key(&mut session, Key::Char('V'));
-    assert!(paint(&mut session, window) != shown);
+    assert!(paint(&mut session, WINDOW) != shown);
     key(&mut session, Key::Char('V'));
     // But for the note on what was pinned.
     let area = session.picture_area();
     let crop = |image: &RgbImage| {
         imageops::crop_imm(image, 0, 0, area.width as u32, area.height as u32).to_image()
     };
-    assert!(crop(&paint(&mut session, window)) == crop(&shown));
+    assert!(crop(&paint(&mut session, WINDOW)) == crop(&shown));
 }
 
 #[test]
@@ -498,9 +500,7 @@ fn the_command_gives_the_same_picture() {
     let mut session = session(6);
     assert_eq!(session.command(), "cargo run -p step07_specular");
     let (x, y) = middle(session.picture_area());
-    session.handle(Event::Press(x, y));
-    session.handle(Event::Move(x + 33.0, y - 7.0));
-    session.handle(Event::Release(x + 33.0, y - 7.0));
+    drag(&mut session, (x, y), (x + 33.0, y - 7.0));
     key(&mut session, Key::Right);
     key(&mut session, Key::Down);
     key(&mut session, Key::Right);
@@ -527,9 +527,7 @@ fn from_outside_the_onlooker_moves() {
     // In the sky, where nothing is to be taken hold of.
     let area = session.picture_area();
     let (x, y) = (area.left + 3.0, area.top + 3.0);
-    session.handle(Event::Press(x, y));
-    session.handle(Event::Move(x + 30.0, y));
-    session.handle(Event::Release(x + 30.0, y));
+    drag(&mut session, (x, y), (x + 30.0, y));
     session.handle(Event::Wheel(1.0));
     assert_eq!(*session.setup().view(), view);
     let moved = session.onlooker().expect("outside");
@@ -551,9 +549,7 @@ fn a_light_is_dragged_from_outside() {
     let moved = (0..area.height as usize).step_by(4).any(|row| {
         (0..area.width as usize).step_by(4).any(|col| {
             let (x, y) = (area.left + col as f32, area.top + row as f32);
-            session.handle(Event::Press(x, y));
-            session.handle(Event::Move(x + 6.0, y));
-            session.handle(Event::Release(x + 6.0, y));
+            drag(&mut session, (x, y), (x + 6.0, y));
             session.setup().settings() != before
         })
     });
@@ -601,16 +597,12 @@ fn the_step_before_is_seen_as_long_as_a_key_is_held() {
 
 #[test]
 fn a_line_divides_the_step_before_from_this_one() {
-    let window = size(960, 540);
-    let mut session = lecture(6);
-    session.handle(Event::Resize(window));
+    let mut session = wide(lecture(6));
     key(&mut session, Key::Char('D'));
     let (x, y) = middle(session.picture_area());
-    session.handle(Event::Press(x, y));
-    session.handle(Event::Move(x + 100.0, y));
-    session.handle(Event::Release(x + 100.0, y));
+    drag(&mut session, (x, y), (x + 100.0, y));
     assert_eq!(session.pictures().len(), 2);
-    let image = paint(&mut session, window);
+    let image = paint(&mut session, WINDOW);
     let sides = rendered(&session);
     assert!(sides[0] != sides[1]);
     for row in 0..sides[0].height() {
@@ -625,11 +617,11 @@ fn a_line_divides_the_step_before_from_this_one() {
     }
     key(&mut session, Key::Char('D'));
     assert_eq!(session.pictures().len(), 1);
-    // The first step has none before it, and a step's own window has no other.
+    // The first step has none before it, and a step's own WINDOW has no other.
     key(&mut session, Key::Char('1'));
     key(&mut session, Key::Char('D'));
     assert_eq!(session.pictures().len(), 1);
-    painted(&mut session, window);
+    painted(&mut session, WINDOW);
     let mut alone = crate::session(6);
     key(&mut alone, Key::Char('X'));
     assert_eq!(alone.pictures().len(), 1);
@@ -637,11 +629,9 @@ fn a_line_divides_the_step_before_from_this_one() {
 
 #[test]
 fn differences_are_seen_eight_times() {
-    let window = size(960, 540);
-    let mut session = lecture(6);
-    session.handle(Event::Resize(window));
+    let mut session = wide(lecture(6));
     key(&mut session, Key::Char('X'));
-    let image = paint(&mut session, window);
+    let image = paint(&mut session, WINDOW);
     let pictures = rendered(&session);
     for (col, row, this) in pictures[1].enumerate_pixels() {
         let before = pictures[0].get_pixel(col, row).0;
@@ -652,15 +642,14 @@ fn differences_are_seen_eight_times() {
 
 #[test]
 fn the_lesson_is_read_beside_the_picture() {
-    let window = size(960, 540);
     let mut session = lecture(6);
-    let before = painted(&mut session, window);
+    let before = painted(&mut session, WINDOW);
     for lesson in [Key::F(3), Key::F(4)] {
         key(&mut session, lesson);
-        assert!(paint(&mut session, window) != before);
+        assert!(paint(&mut session, WINDOW) != before);
         key(&mut session, lesson);
-        assert!(paint(&mut session, window) == before);
-        // A step's own window has none.
+        assert!(paint(&mut session, WINDOW) == before);
+        // A step's own WINDOW has none.
         let mut alone = crate::session(6);
         let picture = alone.picture_area();
         key(&mut alone, lesson);
