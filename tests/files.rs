@@ -86,8 +86,6 @@ fn a_picture_that_cannot_be_written_is_a_failure_in_one_line() {
         let folder = folder();
         let output = run(folder.path(), &["-s", "9x9", "-o", path]);
         assert_failed(folder.path(), &output, beginning, end);
-        let output = run(folder.path(), &["-s", "9x9", "--compare", "old.png", "-o", path]);
-        assert_failed(folder.path(), &output, "cannot read old.png as a PNG: ", "--output writes");
     }
 }
 
@@ -336,17 +334,6 @@ fn pictures_too_large_side_by_side_are_refused_before_one_is_rendered() {
     let output = run(folder.path(), &["-s", "1x100000", "--compare", path, "-o", "old.png"]);
     let beginning = "side by side they take 300000x100000 pixels, so leave --output away";
     assert_failed(folder.path(), &output, beginning, "100 million in all");
-}
-
-#[test]
-fn the_picture_to_compare_is_not_overwritten() {
-    let folder = folder();
-    for output in ["old.png", "./old.png"] {
-        let output = run(folder.path(), &["-s", "9x9", "--compare", "old.png", "-o", output]);
-        assert!(only_line(&output).contains("would be overwritten"));
-        assert_eq!(output.status.code(), Some(2));
-        assert_eq!(fs::read_to_string(folder.path().join("old.png")).expect("it is there"), OLD);
-    }
 }
 
 /// With no display, the picture goes to a file of the step's name, and nowhere else.

@@ -134,10 +134,3 @@ fn a_small_picture_has_no_strays() {
     found.get_pixel_mut(1, 0).0[1] = 2;
     assert!(!Comparison::new(&expected, &found, &[]).is_equal());
 }
-
-#[test]
-fn another_size_is_not_equal() {
-    let comparison = Comparison::new(&RgbImage::new(4, 3), &RgbImage::new(3, 4), &[]);
-    assert_eq!(comparison.to_string(), "the size is 3x4, and 4x3 was expected");
-    assert!(!comparison.is_equal());
-}
