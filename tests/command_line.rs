@@ -8,6 +8,9 @@ use std::process::Output;
 use std::process::Stdio;
 
 use image::ImageReader;
+use proptest::collection::vec;
+use proptest::prelude::*;
+use proptest::sample::select;
 use tempfile::tempdir;
 use tests::prelude::*;
 
@@ -333,4 +336,83 @@ fn a_gigantic_size_is_refused_before_memory_is_asked_for() {
     let output = shell.arg(program.get_program()).output().expect("sh runs");
     assert!(only_line(&output).contains("100 million in all"));
     assert_eq!(output.status.code(), Some(2));
+}
+
+/// Text that is nearly right, or anything but a NUL, which no argument can have.
+fn text() -> impl Strategy<Value = String> {
+    prop_oneof![
+        "[-+.,=x×0-9a-z ]{0,8}",
+        "-{0,3}(size|set|pixel|samples|camera|compare|output|s|o|h)(=[^\0]{0,4})?",
+        "[^\0]{0,12}",
+    ]
+}
+
+/// Numbers as they are typed.
+fn number() -> impl Strategy<Value = String> {
+    prop_oneof![
+        any::<f32>().prop_map(|number| number.to_string()),
+        any::<i64>().prop_map(|number| number.to_string()),
+        (-3.0..3.0f32).prop_map(|number| format!("{number:.3}")),
+        (0..20u32).prop_map(|number| number.to_string()),
+        select(vec!["nan", "inf", "-inf", "1e999", "-0", "1e-50", ".5", "5.", "+1", "0x10", "1_0"])
+            .prop_map(str::to_owned),
+    ]
+}
+
+/// One to two arguments: a flag with something it may or may not take, or any text.
+fn arguments() -> impl Strategy<Value = Vec<String>> {
+    let controls: Vec<String> = setup(6).list().into_iter().map(|setting| setting.name).collect();
+    let words = |words: &'static [&'static str]| select(words).prop_map(str::to_owned).boxed();
+    let two = |separator: &'static str| {
+        (0..70usize, 0..70usize).prop_map(move |(a, b)| format!("{a}{separator}{b}")).boxed()
+    };
+    let value = prop_oneof![number(), text(), words(&["on", "off", "red", "parallel", ""])];
+    let setting = (select(controls), value).prop_map(|(name, value)| format!("{name}={value}"));
+    let samples = prop_oneof![0..4usize, 17..20usize].prop_map(|samples| samples.to_string());
+    let pair = |flags: &'static [&'static str], value: BoxedStrategy<String>| {
+        (select(flags), value).prop_map(|(flag, value)| vec![flag.to_owned(), value])
+    };
+    prop_oneof![
+        4 => pair(&["-s", "--size"], two("x")),
+        4 => pair(&["--set"], setting.boxed()),
+        2 => pair(&["--pixel"], two(",")),
+        2 => pair(&["--camera"], words(&["parallel", "perspective", "x"])),
+        2 => pair(&["--samples"], samples.boxed()),
+        2 => pair(&["-o", "--output"], words(&["a.png", "b", "c.jpg", "d/e.png", "."])),
+        1 => pair(&["--compare"], words(&["a.png", "given.png", "."])),
+        1 => pair(&["-s", "--set", "--pixel", "--samples", "--camera"], text().boxed()),
+        1 => Just(vec!["--help".to_owned()]),
+        1 => text().prop_map(|text| vec![text]),
+    ]
+}
+
+proptest! {
+    #![proptest_config(config(150))]
+
+    /// Status 0 with what was asked for, or 1 or 2 with one line and nothing else.
+    #[test]
+    fn arguments_are_taken_or_refused_in_one_line(arguments in vec(arguments(), 0..5)) {
+        let folder = tempdir().expect("a folder");
+        let given = picture(&*step(6), &step(6).view(), 9, 5);
+        given.save(folder.path().join("given.png")).expect("saved");
+        let mut program = command(STEPS[6], folder.path());
+        if !X11 {
+            program.args(["-o", "a.png"]);
+        }
+        let output = program.args(arguments.concat()).output().expect("it runs");
+        let said = String::from_utf8_lossy(&output.stderr);
+        prop_assert!(!said.contains("panicked"), "{said}");
+        match output.status.code() {
+            Some(0) => prop_assert!(said.lines().all(|line| line.starts_with(STEPS[6])), "{said}"),
+            // A difference found is no error.
+            Some(1) if said.starts_with(STEPS[6]) => prop_assert!(!output.stdout.is_empty()),
+            Some(status @ (1 | 2)) => {
+                prop_assert!(only_line(&output).starts_with("error: "), "{said}");
+                prop_assert_eq!(said.ends_with("(--help lists what is possible)\n"), status == 2);
+                prop_assert!(output.stdout.is_empty());
+                prop_assert_eq!(files(folder.path()), ["given.png"]);
+            }
+            status => prop_assert!(false, "{status:?}: {said}"),
+        }
+    }
 }

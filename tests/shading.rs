@@ -128,7 +128,7 @@ fn a_sphere_is_lit_by_its_normal<S: Lights>() {
         let ray = Ray::new(Vec3::new(3.0, 9.0, 0.0), Vec3::NEG_Y);
         let found = S::trace(&S::scene(&world), &ray);
         let why = format!(
-            "L_d = k_d (I/r²) max(0, n·l), and n·l is {cosine} with n = (point − center) / radius \
+            "L_d = k_d (I/r²) max(0, n·l): I = 8, r² = 4, and n·l is {cosine} with n = (point − center) / radius \
              and l towards {towards}"
         );
         near::<S, _>("the colour", found, PAINT.k_d * 2.0 * f32::max(cosine, 0.0), &why);

@@ -78,11 +78,9 @@ fn without_k_s_there_is_no_highlight_however_bright_the_light() {
     };
     let dull = seen::<Specular>(&world(0.0), EYE);
     assert_eq!(dull, PAINT.k_d * (1e38 / 4.0), "step07_specular: with k_s = 0, L = L_d");
-    assert_ne!(
-        dull,
-        seen::<Specular>(&world(1.0), EYE),
-        "step07_specular: with k_s = 1 and p = 0, L_s = I/r² is added"
-    );
+    let shiny = seen::<Specular>(&world(1.0), EYE);
+    let why = "with p = 0, L_s = k_s (I/r²) max(0, cos α)^p is k_s I/r²";
+    assert!(shiny != dull, "step07_specular: k_s = 1 gives {shiny}, as k_s = 0 does: {why}");
 }
 
 #[test]
@@ -110,7 +108,9 @@ fn both_models_have_the_slides_cosine() {
         let cosine = |degrees: f32| degrees.to_radians().cos();
         let blinn = blinn_phong(n, at(l), at(v), Vec3::ZERO, &mut Silent);
         let phong = phong(n, at(l), at(v), Vec3::ZERO, &mut Silent);
-        let why = format!("l at {l}° and v at {v}° from n");
+        let why = format!(
+            "h = (v + l) / ‖v + l‖ and v_r = 2 (n·l) n − l, with l at {l}° and v at {v}° from n"
+        );
         near::<Specular, _>("n·h", blinn, cosine((l + v) / 2.0), &why);
         near::<Specular, _>("v_r·v", phong, cosine(l + v), &why);
     }
