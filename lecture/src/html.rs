@@ -136,8 +136,8 @@ fn build(root: &Path) -> Result<PathBuf> {
         }
         None if has_target() => Command::new(cargo),
         None => bail!(text!(
-            "Rust cannot build for a browser yet: rustup target add {target}",
-            target = TARGET
+            "Rust cannot build for a browser yet: {command}",
+            command = format!("rustup target add {TARGET}")
         )),
     };
     build.current_dir(root).args(["rustc", "--quiet", "-p", "lecture", "--lib"]);
