@@ -191,7 +191,6 @@ pub(crate) fn reason(error: &io::Error) -> String {
         ErrorKind::InvalidFilename => text!("the name is too long, or not a valid one"),
         ErrorKind::ReadOnlyFilesystem => text!("nothing can be written there"),
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => text!("the disk is full"),
-        ErrorKind::UnexpectedEof => text!("it ends too early"),
         _ => return error.to_string(),
     };
     reason.to_owned()
