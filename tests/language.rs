@@ -180,8 +180,9 @@ fn translations_have_the_same_placeholders_and_letters_that_can_be_written() {
         assert_eq!(placeholders(&english), placeholders(&portuguese), "{english}");
         let ends = |text: &str| (text.starts_with(['\n', ' ', ';']), text.ends_with('\n'));
         assert_eq!(ends(&english), ends(&portuguese), "{english}");
-        let unknown = portuguese.chars().find(|letter| *letter != '\n' && !Font::has(*letter));
-        assert_eq!(unknown, None, "not in the font: {portuguese}");
+        let mut letters = english.chars().chain(portuguese.chars());
+        let unknown = letters.find(|letter| *letter != '\n' && !Font::has(*letter));
+        assert_eq!(unknown, None, "not in the font: {english} {portuguese}");
     }
 }
 
