@@ -131,7 +131,12 @@ impl fmt::Display for Comparison {
             Self::Size { expected, found } => {
                 let ((width, height), (w, h)) = (expected, found);
                 f.write_str(&text!(
-"the size is {w}x{h}, and {width}x{height} was expected",w,h,width,height))
+                    "the size is {w}x{h}, and {width}x{height} was expected",
+                    w,
+                    h,
+                    width,
+                    height
+                ))
             }
             Self::Different(difference) => difference.fmt(f),
         }

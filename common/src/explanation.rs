@@ -434,8 +434,8 @@ impl fmt::Display for Explanation {
             }
         }
         let [r, g, b] = encode(self.color);
-        writeln!(f, "seen")?;
+        writeln!(f, "{}", text!("seen"))?;
         writeln!(f, "    {:<45}{}", "L", Value::Vector(self.color))?;
-        writeln!(f, "    {:<45} {r:<10} {g:<10} {b}", "sRGB, 0 to 255")
+        writeln!(f, "    {:<45} {r:<10} {g:<10} {b}", text!("sRGB, 0 to 255"))
     }
 }

@@ -6,6 +6,7 @@ use std::path::Path;
 
 use anyhow::Context;
 use anyhow::Result;
+use common::text;
 use pulldown_cmark::CodeBlockKind;
 use pulldown_cmark::Event;
 use pulldown_cmark::HeadingLevel;
@@ -45,7 +46,8 @@ pub(crate) fn escape(text: &str) -> String {
 
 /// The handout in `path`, of the step called `name`.
 pub(crate) fn read(path: &Path, name: &str) -> Result<Handout> {
-    let text = fs::read_to_string(path).with_context(|| path.display().to_string())?;
+    let text = fs::read_to_string(path)
+        .with_context(|| text!("cannot read {path}", path = path.display()))?;
     let mut handout = Handout { title: String::new(), lead: String::new(), sections: Vec::new() };
     let mut heading: Option<String> = None;
     let mut part = Vec::new();

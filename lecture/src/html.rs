@@ -14,6 +14,7 @@ use anyhow::Result;
 use anyhow::bail;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
+use common::text;
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use lecture::PROGRAMS;
@@ -36,8 +37,10 @@ const LANGUAGES: [(&str, &str); 2] = [("en", "README.md"), ("pt-BR", "README.pt-
 ///
 /// When the steps do not build for a browser, or a handout cannot be read.
 pub(crate) fn page() -> Result<String> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().context("no workspace")?;
-    let wasm = fs::read(build(root)?).context("the steps were built, and are not there")?;
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."));
+    let wasm = build(root)?;
+    let wasm =
+        fs::read(&wasm).with_context(|| text!("cannot read {path}", path = wasm.display()))?;
     let mut packed = GzEncoder::new(Vec::new(), Compression::best());
     packed.write_all(&wasm)?;
     let wasm = STANDARD.encode(packed.finish()?);
@@ -132,19 +135,25 @@ fn build(root: &Path) -> Result<PathBuf> {
             build
         }
         None if has_target() => Command::new(cargo),
-        None => bail!("Rust cannot build for a browser yet: rustup target add {TARGET}"),
+        None => bail!(text!(
+            "Rust cannot build for a browser yet: {command}",
+            command = format!("rustup target add {TARGET}")
+        )),
     };
     build.current_dir(root).args(["rustc", "--quiet", "-p", "lecture", "--lib"]);
     build.args(["--no-default-features", "--crate-type", "cdylib", "--profile", "page"]);
     build.args(["--target", TARGET, "--message-format", "json-render-diagnostics"]);
     build.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", FLAGS);
-    let built = build.stderr(Stdio::inherit()).output().context("cargo does not run")?;
+    let built = build
+        .stderr(Stdio::inherit())
+        .output()
+        .context(text!("cannot run cargo, which has to build the page"))?;
     if !built.status.success() {
-        bail!("the steps do not build for a browser");
+        bail!(text!("the steps do not build for a browser: what cargo says of it stands above"));
     }
     let messages = String::from_utf8_lossy(&built.stdout);
     let file = messages.split('"').rfind(|word| word.ends_with("lecture.wasm"));
-    Ok(PathBuf::from(file.context("cargo does not say what it built")?))
+    Ok(PathBuf::from(file.context(text!("cargo does not say what it built"))?))
 }
 
 /// Whether Rust's standard library for a browser is there.

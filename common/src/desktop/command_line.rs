@@ -605,7 +605,7 @@ fn status(done: Result<bool>) -> ExitCode {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
         Err(error) => {
-            tell(&format!("error: {error:#}"));
+            tell(&text!("error: {reason}", reason = file::told(&error)));
             ExitCode::FAILURE
         }
     }

@@ -1,6 +1,8 @@
 use std::fs;
 use std::fs::File;
 use std::io;
+use std::io::BufReader;
+use std::io::ErrorKind;
 use std::io::Write;
 use std::path::Path;
 use std::path::PathBuf;
@@ -8,6 +10,7 @@ use std::path::PathBuf;
 use anyhow::Result;
 use anyhow::anyhow;
 use anyhow::bail;
+use anyhow::ensure;
 use image::DynamicImage;
 use image::ImageDecoder;
 use image::ImageError;
@@ -23,7 +26,6 @@ use tempfile::PersistError;
 use crate::Size;
 use crate::SizeError;
 use crate::text;
-use crate::translated;
 
 /// Whether two names are of the same file.
 pub(crate) fn is_same(a: &Path, b: &Path) -> bool {
@@ -68,7 +70,7 @@ pub(crate) fn save_png(picture: &RgbImage, path: &Path) -> Result<()> {
     check_destination(path)?;
     let write = || {
         let old = match fs::metadata(path) {
-            Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+            Err(error) if error.kind() == ErrorKind::NotFound => None,
             old => Some(old?),
         };
         // A device or a pipe cannot be replaced, and has no content to lose.
@@ -114,7 +116,7 @@ pub(crate) fn save_new_png(picture: &RgbImage, stem: &str) -> Result<PathBuf> {
     for number in 2.. {
         match part.persist_noclobber(&path) {
             Ok(_) => break,
-            Err(PersistError { error, file }) if error.kind() == io::ErrorKind::AlreadyExists => {
+            Err(PersistError { error, file }) if error.kind() == ErrorKind::AlreadyExists => {
                 part = file;
                 path = PathBuf::from(format!("{stem}-{number}.png"));
             }
@@ -149,8 +151,9 @@ fn encoded(picture: &RgbImage) -> io::Result<Vec<u8>> {
 /// When `path` is no readable PNG, or its size is no [`Size`].
 pub(crate) fn read_png(path: &Path) -> Result<RgbImage> {
     let read = || -> Result<RgbImage> {
-        let mut reader = ImageReader::open(path)?;
-        reader.set_format(ImageFormat::Png);
+        let file = BufReader::new(File::open(path)?);
+        let mut reader = ImageReader::new(file).with_guessed_format()?;
+        ensure!(reader.format() == Some(ImageFormat::Png), text!("it is no PNG"));
         // Four channels of 16 bits.
         let mut limits = Limits::no_limits();
         limits.max_alloc = Some(8 * Size::MAX_PIXELS as u64);
@@ -164,11 +167,11 @@ pub(crate) fn read_png(path: &Path) -> Result<RgbImage> {
         Ok(DynamicImage::from_decoder(decoder)?.into_rgb8())
     };
     read().map_err(|error| {
-        // The outer errors only say that there is an inner one.
-        let error = error.root_cause();
-        let reason = match error.downcast_ref() {
+        // The outer errors of a decoder only say that there is an inner one.
+        let reason = match error.root_cause().downcast_ref() {
             Some(error) => reason(error),
-            None => translated(error.to_string().trim_end_matches('.')).to_owned(),
+            None if error.is::<ImageError>() => text!("it is damaged").to_owned(),
+            None => error.to_string(),
         };
         anyhow!(text!(
             "cannot read {path} as a PNG: {reason}; name one such as --output writes",
@@ -178,14 +181,26 @@ pub(crate) fn read_png(path: &Path) -> Result<RgbImage> {
     })
 }
 
-/// What the system says, in words of its own but for those that are met often.
-fn reason(error: &io::Error) -> String {
-    match error.kind() {
-        io::ErrorKind::NotFound => text!("No such file or directory").to_owned(),
-        io::ErrorKind::PermissionDenied => text!("Permission denied").to_owned(),
-        io::ErrorKind::ReadOnlyFilesystem => text!("Read-only file system").to_owned(),
-        io::ErrorKind::StorageFull => text!("No space left on device").to_owned(),
-        io::ErrorKind::UnexpectedEof => text!("unexpected end of file").to_owned(),
-        _ => error.to_string(),
-    }
+/// Why, in the language that is spoken; in the system's own words where it is seldom met.
+pub(crate) fn reason(error: &io::Error) -> String {
+    let reason = match error.kind() {
+        ErrorKind::NotFound => text!("there is no such file or folder"),
+        ErrorKind::PermissionDenied => text!("it is not permitted"),
+        ErrorKind::IsADirectory => text!("it is a folder"),
+        ErrorKind::NotADirectory => text!("what should be a folder is none"),
+        ErrorKind::InvalidFilename => text!("the name is too long, or not a valid one"),
+        ErrorKind::ReadOnlyFilesystem => text!("nothing can be written there"),
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => text!("the disk is full"),
+        _ => return error.to_string(),
+    };
+    reason.to_owned()
+}
+
+/// `error` and what led to it, in one line.
+pub(crate) fn told(error: &anyhow::Error) -> String {
+    let causes = error.chain().map(|cause| match cause.downcast_ref() {
+        Some(error) => reason(error),
+        None => cause.to_string(),
+    });
+    causes.collect::<Vec<_>>().join(": ")
 }

@@ -128,7 +128,7 @@ impl Window {
     /// When the window system, or standard output, fails.
     pub(crate) fn run(self, session: Session, samples: usize) -> Result<()> {
         let size = self.size().context(text!("the window has no size"))?;
-        let titled = session.program().name;
+        let titled = session.program().title();
         Shell {
             window: self,
             session,
@@ -219,8 +219,7 @@ struct Shell {
     window: Window,
     session: Session,
     samples: usize,
-    /// The program whose title the window has.
-    titled: &'static str,
+    titled: String,
     /// The pictures that the session wants, in its order, each with its program.
     drawings: Vec<(usize, Drawing)>,
     /// The picture that is to be saved as soon as it is complete; until then further input waits,
@@ -272,9 +271,10 @@ impl Shell {
 
     /// Starts the pictures that the session wants.
     fn restart(&mut self) {
-        let program = self.session.program();
-        if mem::replace(&mut self.titled, program.name) != program.name {
-            self.window.window.set_title(&program.title());
+        let title = self.session.program().title();
+        if self.titled != title {
+            self.window.window.set_title(&title);
+            self.titled = title;
         }
         let wanted = self.session.pictures();
         let draft = PERIOD.saturating_sub(self.window.cost).max(PERIOD / 4) / wanted.len() as u32;
@@ -453,7 +453,7 @@ impl Shell {
         let size = drawing.size();
         let done = match file::save_new_png(drawing.picture(), name) {
             Ok(path) => text!("{size} written to {path}", size, path = path.display()),
-            Err(error) => format!("{error:#}"),
+            Err(error) => file::told(&error),
         };
         self.saving = None;
         report(name, &done);

@@ -456,6 +456,7 @@ impl Session {
             Key::Char('O') => self.step_out(),
             Key::Char('G') => {
                 self.language = self.language.other();
+                self.language.speak();
                 // A figure has words in its picture.
                 self.ask(Effect::Redraw);
             }
