@@ -14,13 +14,21 @@ use anyhow::Result;
 use anyhow::bail;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
+use common::Language;
+use common::text;
 use flate2::Compression;
 use flate2::write::GzEncoder;
+use image::codecs::jpeg::JpegEncoder;
+use image::imageops::FilterType;
 use lecture::PROGRAMS;
 
 use crate::handout;
 use crate::handout::Handout;
 use crate::handout::escape;
+
+/// Pixels of a figure's picture, and what part of it a JPEG keeps: so that the page stays small.
+const STILL_WIDTH: u32 = 300;
+const STILL_QUALITY: u8 = 40;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
@@ -36,12 +44,13 @@ const LANGUAGES: [(&str, &str); 2] = [("en", "README.md"), ("pt-BR", "README.pt-
 ///
 /// When the steps do not build for a browser, or a handout cannot be read.
 pub(crate) fn page() -> Result<String> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().context("no workspace")?;
-    let wasm = fs::read(build(root)?).context("the steps were built, and are not there")?;
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().context(text!("no workspace"))?;
+    let wasm = fs::read(build(root)?).context(text!("the steps were built, and are not there"))?;
     let mut packed = GzEncoder::new(Vec::new(), Compression::best());
     packed.write_all(&wasm)?;
     let wasm = STANDARD.encode(packed.finish()?);
     let (mut links, mut articles) = (String::new(), String::new());
+    let mut style = include_str!("../page/style.css").to_owned();
     for program in PROGRAMS {
         let (folder, number) = (root.join(program.name), &program.name[4..6]);
         let _ = writeln!(
@@ -53,14 +62,25 @@ pub(crate) fn page() -> Result<String> {
         let difference = fs::read_to_string(difference).unwrap_or_default();
         for (language, file) in LANGUAGES {
             let handout = handout::read(&folder.join(file), program.name)?;
-            articles.push_str(&article(&handout, number, language, &difference));
+            articles.push_str(&article(&handout, number, language));
         }
+        if !difference.is_empty() {
+            let _ = writeln!(
+                articles,
+                "<article id=\"diff{number}\"><details class=\"more\"><summary><h3 data-text=\"What is new in the code\">What is new in the code</h3></summary>{}</details></article>",
+                handout::difference(&difference)
+            );
+        }
+        stills(&folder.join("figures"), &mut style)?;
     }
+    let (template, script) = (include_str!("../page/index.html"), include_str!("../page/page.js"));
+    let portuguese = portuguese(&[template, script, &articles]);
     Ok(filled(
-        include_str!("../page/index.html"),
+        template,
         &[
-            ("style", include_str!("../page/style.css")),
-            ("script", include_str!("../page/page.js")),
+            ("style", &style),
+            ("script", script),
+            ("portuguese", &portuguese),
             ("links", &links),
             ("articles", &articles),
             ("wasm", &wasm),
@@ -68,8 +88,45 @@ pub(crate) fn page() -> Result<String> {
     ))
 }
 
-/// A step's handout, and what is new in its code, folded.
-fn article(handout: &Handout, number: &str, language: &str, difference: &str) -> String {
+/// The page's own texts as they are in the catalogue, for its script: those that `sources` have in
+/// quotes.
+fn portuguese(sources: &[&str]) -> String {
+    let mut pairs = Vec::new();
+    for (english, portuguese) in Language::catalogue() {
+        let quoted = format!("\"{english}\"");
+        if sources.iter().any(|source| source.contains(&quoted)) {
+            pairs.push(format!("{english:?}:{portuguese:?}"));
+        }
+    }
+    format!("{{{}}}", pairs.join(","))
+}
+
+/// The committed pictures in `folder`, small, as the grounds of the places for the figures: where
+/// nothing can be drawn, they remain.
+fn stills(folder: &Path, style: &mut String) -> Result<()> {
+    let mut paths = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        paths.push(entry?.path());
+    }
+    paths.sort();
+    for path in paths {
+        let picture = image::open(&path).with_context(|| path.display().to_string())?;
+        let (width, height) = (picture.width(), picture.height());
+        let small = picture.resize(STILL_WIDTH, height, FilterType::Triangle).to_rgb8();
+        let mut bytes = Vec::new();
+        JpegEncoder::new_with_quality(&mut bytes, STILL_QUALITY).encode_image(&small)?;
+        let (name, bytes) = (path.file_stem().unwrap_or_default(), STANDARD.encode(bytes));
+        let _ = writeln!(
+            style,
+            ".{} {{ aspect-ratio: {width} / {height}; background-image: url(data:image/jpeg;base64,{bytes}); }}",
+            name.display()
+        );
+    }
+    Ok(())
+}
+
+/// A step's handout.
+fn article(handout: &Handout, number: &str, language: &str) -> String {
     let title = escape(&handout.title);
     let mut html = format!(
         "<article id=\"handout{number}-{language}\" lang=\"{language}\"><h2>{title}</h2>{}",
@@ -86,7 +143,7 @@ fn article(handout: &Handout, number: &str, language: &str, difference: &str) ->
         // The symbols are folded, so that the equation has room beside the picture.
         let text = match section.html.split_once(handout::TABLE) {
             Some((equation, table)) if class == "equation" => format!(
-                "{equation}<details><summary data-text=\"symbols\"></summary>{TABLE}{table}</details>",
+                "{equation}<details><summary data-text=\"Symbols\"></summary>{TABLE}{table}</details>",
                 TABLE = handout::TABLE,
             ),
             _ => section.html.clone(),
@@ -94,13 +151,6 @@ fn article(handout: &Handout, number: &str, language: &str, difference: &str) ->
         let _ = writeln!(
             html,
             "<details class=\"{class}\"{open}><summary><h3>{heading}</h3></summary>{text}</details>"
-        );
-    }
-    if !difference.is_empty() {
-        let lines = handout::difference(difference);
-        let _ = writeln!(
-            html,
-            "<details class=\"more\"><summary><h3 data-text=\"diff\"></h3></summary>{lines}</details>"
         );
     }
     html + "</article>\n"
@@ -132,19 +182,21 @@ fn build(root: &Path) -> Result<PathBuf> {
             build
         }
         None if has_target() => Command::new(cargo),
-        None => bail!("Rust cannot build for a browser yet: rustup target add {TARGET}"),
+        None => {
+            bail!(text!("Rust cannot build for a browser yet: rustup target add {TARGET}", TARGET))
+        }
     };
     build.current_dir(root).args(["rustc", "--quiet", "-p", "lecture", "--lib"]);
     build.args(["--no-default-features", "--crate-type", "cdylib", "--profile", "page"]);
     build.args(["--target", TARGET, "--message-format", "json-render-diagnostics"]);
     build.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", FLAGS);
-    let built = build.stderr(Stdio::inherit()).output().context("cargo does not run")?;
+    let built = build.stderr(Stdio::inherit()).output().context(text!("cargo does not run"))?;
     if !built.status.success() {
-        bail!("the steps do not build for a browser");
+        bail!(text!("the steps do not build for a browser"));
     }
     let messages = String::from_utf8_lossy(&built.stdout);
     let file = messages.split('"').rfind(|word| word.ends_with("lecture.wasm"));
-    Ok(PathBuf::from(file.context("cargo does not say what it built")?))
+    Ok(PathBuf::from(file.context(text!("cargo does not say what it built"))?))
 }
 
 /// Whether Rust's standard library for a browser is there.
