@@ -208,9 +208,9 @@ function redraw() {
 
 function show(made) {
   const drawn = (pin && vectors) || handles || outside;
-  // As high as the letters beside the picture, and no larger than the picture can hold.
-  const scale = size[0] / Math.max(1, $("picture").clientWidth);
-  const letters = Math.max(8, Math.min(size[1] / 12, 15 * scale));
+  // As high as the letters beside the picture, larger where the picture is, and no larger than it can hold.
+  const width = Math.max(1, $("picture").clientWidth);
+  const letters = Math.max(8, Math.min(size[1] / 12, Math.max(15, 0.022 * width) * size[0] / width));
   const marks = `${letters} ${pin ? pin.join(",") : "-"} ${Number(vectors)} ${Number(handles)}`;
   for (const layer of made.layers)
     put($(layer), layer, drawn ? size : [made.width, made.height], made, drawn ? marks : "8 - 0 0");
