@@ -25,6 +25,11 @@ pub(crate) struct Browser {
 impl Browser {
     /// A browser whose window is so large, in CSS pixels.
     pub(crate) fn new(width: u32, height: u32) -> Self {
+        Self::speaking("en-US,en", width, height)
+    }
+
+    /// A browser whose user likes these languages, the first one most.
+    pub(crate) fn speaking(languages: &str, width: u32, height: u32) -> Self {
         let mut driver = Command::new("chromedriver")
             .arg("--port=0")
             .stdout(Stdio::piped())
@@ -43,7 +48,7 @@ impl Browser {
         let arguments = ["--headless=new", "--no-sandbox", "--hide-scrollbars"];
         let wish = json!({"capabilities": {"alwaysMatch": {
             "goog:loggingPrefs": {"browser": "ALL"},
-            "goog:chromeOptions": {"args": arguments},
+            "goog:chromeOptions": {"args": arguments, "prefs": {"intl.accept_languages": languages}},
         }}});
         let session = browser.ask("POST", "/session", &wish);
         browser.session = format!("/session/{}", text(&session["sessionId"]));
@@ -135,9 +140,10 @@ impl Browser {
         self.act(&json!([{"type": "key", "id": "keyboard", "actions": keys}]));
     }
 
-    /// What the page's script drew on the canvas `id`.
-    pub(crate) fn canvas(&self, id: &str) -> RgbImage {
-        let address = self.text(&format!("return $('{id}').toDataURL('image/png')"));
+    /// What the page's script drew on the canvas that `selector` names.
+    pub(crate) fn canvas(&self, selector: &str) -> RgbImage {
+        let canvas = format!("document.querySelector('{selector}')");
+        let address = self.text(&format!("return {canvas}.toDataURL('image/png')"));
         let png = STANDARD.decode(address.split_once(',').expect("a data address").1);
         image::load_from_memory(&png.expect("base64")).expect("a PNG").to_rgb8()
     }

@@ -10,6 +10,7 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::process::Output;
 
+use lecture::FIGURES;
 use tests::STEPS;
 use tests::hold_picture;
 use tests::program;
@@ -81,6 +82,18 @@ fn every_figure_is_the_committed_one() {
     for step in STEPS {
         assert_eq!(names(step, "figures"), names(step, "examples"), "{step}");
     }
+}
+
+/// The web page has each of them, from the same file.
+#[test]
+fn the_page_has_every_figure() {
+    let on_the_page = FIGURES.map(|(name, figure)| {
+        let program = figure();
+        assert!(program.is_figure && program.name == name, "{name}");
+        name.to_owned()
+    });
+    let figures: Vec<String> = figures().into_iter().map(|(_, name)| name).collect();
+    assert_eq!(on_the_page.to_vec(), figures);
 }
 
 /// «Duas abordagens»: both orders give the step's picture, and half way neither does.

@@ -114,6 +114,7 @@ fn texts() -> BTreeSet<String> {
         let literals = literals(&sources).into_iter();
         texts.extend(literals.filter(|(code, _)| code.ends_with("text!(")).map(|(_, text)| text));
     }
+    texts.extend(texts_of_the_page());
     let keys = KEYS.iter().chain(LECTURE_KEYS).flat_map(|(key, effect)| [key, effect]);
     let mistakes = Mistake::ALL.iter().flat_map(|mistake| [&mistake.what, &mistake.place]);
     texts.extend(keys.chain(mistakes).map(|text| (*text).to_owned()));
@@ -141,6 +142,26 @@ fn texts() -> BTreeSet<String> {
             texts.extend(symbols.filter(|name| has_words(name, &names)).map(str::to_owned));
         }
     }
+    texts
+}
+
+/// The texts of the web page's own: what its script asks for, and what stands in its HTML.
+fn texts_of_the_page() -> Vec<String> {
+    let mut texts = Vec::new();
+    for file in ["page/index.html", "page/page.js", "src/html.rs"] {
+        let source = fs::read_to_string(root().join("lecture").join(file)).expect("text");
+        let source = source.replace("\\\"", "\"");
+        for mark in ["data-text=\"", "data-name=\"", "text(\""] {
+            let is_word = |at: usize| source[..at].ends_with(|letter: char| letter.is_alphabetic());
+            let found = source.match_indices(mark).filter(|(at, _)| !is_word(*at));
+            let texts_after =
+                found.filter_map(|(at, _)| source[at + mark.len()..].split('"').next());
+            texts.extend(texts_after.map(str::to_owned));
+        }
+    }
+    let source = sources(&root().join("lecture/src")).concat();
+    let asked = literals(&source).into_iter().filter(|(code, _)| code.ends_with("text!("));
+    texts.extend(asked.map(|(_, text)| text));
     texts
 }
 

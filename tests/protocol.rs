@@ -143,3 +143,53 @@ fn what_cannot_be_done_is_said_and_changes_nothing() {
     text(&mut page, "open 1");
     assert!(page.answer(b"rows before 9 9 0 9").is_err());
 }
+
+#[test]
+fn answers_are_in_the_language_that_was_asked_for() {
+    let mut page = Page::default();
+    text(&mut page, "open 6");
+    let mut told = |locale: &str| {
+        text(&mut page, &format!("language {locale}"));
+        let wrong = page.answer(b"set epsilon x").expect_err("it is no number");
+        [text(&mut page, "explain 960 540 240,420"), text(&mut page, "state"), wrong].concat()
+    };
+    let (english, portuguese) = (told("en"), told("pt-BR"));
+    for (own, other, words) in [
+        (&english, &portuguese, ["\tviewing ray\n", "\tno root: ", "\tcamera\t-1.6", "cannot be"]),
+        (
+            &portuguese,
+            &english,
+            ["\traio de visão\n", "\tsem raiz: ", "\tcâmera\t-1.6", "não pode ser"],
+        ),
+    ] {
+        for word in words {
+            assert!(own.contains(word) && !other.contains(word), "{word}: {own}");
+        }
+    }
+    assert_eq!(told("en"), english);
+}
+
+#[test]
+fn a_figure_is_changed_alone() {
+    let mut page = Page::default();
+    text(&mut page, "open 2");
+    let state = text(&mut page, "state");
+    let figure = text(&mut page, "figure both_roots state");
+    assert!(figure.starts_with("size\t960\t") && figure.contains("setting\tpanel\t"), "{figure}");
+    let before = page.answer(b"rows both_roots 64 36 0 36").expect("rows");
+    text(&mut page, "figure both_roots set radius 0.5");
+    assert!(page.answer(b"rows both_roots 64 36 0 36").expect("rows") != before);
+    assert!(text(&mut page, "figure both_roots state").contains("change\tradius=0.5\n"));
+    assert_eq!(text(&mut page, "state"), state);
+    text(&mut page, "figure both_roots reset");
+    assert_eq!(text(&mut page, "figure both_roots state"), figure);
+    for command in [
+        "figure",
+        "figure none state",
+        "figure both_roots",
+        "figure both_roots open 1",
+        "rows rays 9 9 0 9",
+    ] {
+        assert!(page.answer(command.as_bytes()).is_err(), "{command}");
+    }
+}

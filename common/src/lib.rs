@@ -22,7 +22,6 @@ mod control;
 #[cfg(feature = "desktop")]
 mod desktop;
 mod explanation;
-#[cfg(feature = "figures")]
 mod figure;
 mod frame;
 mod image;
@@ -60,12 +59,13 @@ pub use compare::side_by_side;
 pub use control::Control;
 pub use control::Controls;
 pub use control::Refused;
-#[cfg(feature = "figures")]
-pub use desktop::figure;
 #[cfg(feature = "desktop")]
 pub use desktop::lecture;
 #[cfg(feature = "desktop")]
 pub use desktop::main;
+#[cfg(feature = "desktop")]
+#[doc(hidden)]
+pub use desktop::run;
 pub use explanation::Explanation;
 pub use explanation::Group;
 pub use explanation::Line;
@@ -74,13 +74,9 @@ pub use explanation::Place;
 pub use explanation::Section;
 pub(crate) use explanation::Slip;
 pub use explanation::Value;
-#[cfg(feature = "figures")]
 pub use figure::Axes;
-#[cfg(feature = "figures")]
 pub use figure::Figure;
-#[cfg(feature = "figures")]
 pub use figure::Sketch;
-#[cfg(feature = "figures")]
 pub use figure::told;
 pub use frame::Frame;
 pub use frame::Size;

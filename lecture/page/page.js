@@ -1,46 +1,27 @@
 "use strict";
 
-// The page's own words; what the steps and handouts say comes from them.
-const TEXTS = {
-  en: {
-    title: "Ray tracing in seven steps", steps: "Steps", picture: "Picture", tools: "Tools",
-    drag: "The picture. Arrow keys turn the camera, plus and minus zoom, Enter pins the middle, Shift and arrow keys move the pin.",
-    keys: "Drag to turn, wheel or pinch to zoom, click a pixel to explain it. Keys: arrows, + and −, Enter, Shift+arrows, B, D, V, H, O, Page Up and Page Down.",
-    divider: "Divider: left the step before, right this one", hold: "Hold: step before", divide: "Divider", vectors: "Vectors", handles: "Handles", outside: "From outside", symbols: "Symbols", formula: "Equation",
-    unpin: "Unpin", reset: "Reset all", link: "Copy link", command: "Copy command", save: "Save PNG",
-    controls: "Controls", pixel: "The pixel", unpinned: "Click a pixel of the picture: here its equations appear with their numbers.",
-    diff: "What is new in the code", camera: "camera", resetOne: "Reset", numbersOf: "Numbers of",
-    copied: "Copied:", seen: "seen, sRGB 0 to 255", pinnedAt: "The pixel",
-    ignored: "Not all of the address can be used:", broken: "The pictures cannot be drawn in this browser (it lacks WebAssembly or something in it); the texts can be read all the same.",
-    long: "the address is too long", noStep: "there is no such step", noPixel: "there is no such pixel", noSize: "there is no such size",
-    on: "on", off: "off",
-  },
-  "pt-BR": {
-    title: "Ray tracing em sete passos", steps: "Passos", picture: "Imagem", tools: "Ferramentas",
-    drag: "A imagem. As setas giram a câmera, mais e menos aproximam, Enter fixa o meio, Shift e setas movem o pixel fixado.",
-    keys: "Arraste para girar, roda ou pinça para aproximar, clique num pixel para explicá-lo. Teclas: setas, + e −, Enter, Shift+setas, B, D, V, H, O, Page Up e Page Down.",
-    divider: "Divisória: à esquerda o passo anterior, à direita este", hold: "Segure: passo anterior", divide: "Divisória", vectors: "Vetores", handles: "Alças", outside: "De fora", symbols: "Símbolos", formula: "Equação",
-    unpin: "Soltar pixel", reset: "Tudo como no início", link: "Copiar link", command: "Copiar comando", save: "Salvar PNG",
-    controls: "Controles", pixel: "O pixel", unpinned: "Clique num pixel da imagem: aqui aparecem as suas equações com os números.",
-    diff: "O que há de novo no código", camera: "câmera", resetOne: "Como no início:", numbersOf: "Números de",
-    copied: "Copiado:", seen: "visto, sRGB de 0 a 255", pinnedAt: "O pixel",
-    ignored: "Nem tudo no endereço pode ser usado:", broken: "As imagens não podem ser calculadas neste navegador (falta WebAssembly ou algo nele); os textos podem ser lidos mesmo assim.",
-    long: "o endereço é longo demais", noStep: "esse passo não existe", noPixel: "esse pixel não existe", noSize: "esse tamanho não existe",
-    on: "ligado", off: "desligado",
-  },
-};
-
-const STEPS = 7;
 const SIZE = [960, 540];
 const LONGEST_ADDRESS = 4000;
 /** A picture that takes longer than this is drawn with fewer pixels while something is dragged. */
 const DRAGGED_MS = 22;
-const BAND_PIXELS = 18 * 960;
+/** A worker has one more band of rows than it draws, so that it never waits for the page. */
+const AHEAD = 2;
+/** The largest band of rows, and the smallest: the last ones, so that all workers end together. */
+const BAND_PIXELS = [36 * 960, 6 * 960];
 
 const $ = (id) => document.getElementById(id);
-let language = (navigator.languages || []).some((tag) => /^pt\b/i.test(tag)) &&
-  !/^en\b/i.test((navigator.languages || [])[0] || "") ? "pt-BR" : "en";
-const text = (key) => TEXTS[language][key];
+const STEPS = document.querySelectorAll("#steps a").length;
+const PORTUGUESE = JSON.parse($("portuguese").textContent);
+
+/** Of the languages that the page has, the one that the browser likes most. */
+function languageOfBrowser() {
+  const known = (navigator.languages || []).find((tag) => /^(pt|en)\b/i.test(tag));
+  return /^pt/i.test(known) ? "pt-BR" : "en";
+}
+
+let language = languageOfBrowser();
+/** A text in the language of the page, found by its English. */
+const text = (english) => (language === "en" ? english : PORTUGUESE[english] || english);
 
 /** What runs a command in the steps' program; also within a worker, which knows nothing else of here. */
 function runner(instance) {
@@ -97,7 +78,8 @@ async function start() {
     const address = URL.createObjectURL(source);
     for (let place = 0; place < count; place++) {
       const worker = new Worker(address);
-      worker.onmessage = ({ data }) => { worker.band = null; finished(data); hand(worker); };
+      worker.bands = [];
+      worker.onmessage = ({ data }) => { worker.bands.shift(); pump(); drawings[data.drawing].finished(data); };
       worker.onerror = (event) => { event.preventDefault(); lost(worker); };
       worker.postMessage({ module });
       workers.push(worker);
@@ -107,117 +89,144 @@ async function start() {
   }
 }
 
-/** A worker that cannot work: its band is drawn by another, or here. */
+/** A worker that cannot work: its bands are drawn by another, or here. */
 function lost(worker) {
   workers = workers.filter((other) => other !== worker);
-  if (worker.band) bands.unshift(worker.band);
+  queue.unshift(...worker.bands);
   pump();
 }
 
-// ---- drawing: a frame is a number of bands of one or two layers, handed out as workers get free
+// ---- drawing: a picture is a number of bands of one or two layers, handed out as workers get free
 
-let size = SIZE;
-let frame = 0;
-let bands = [];
-let frames = {};
-let wanted = false;
-let moving = false;
-let drawing = false;
-let started = 0;
-/** Milliseconds for a picture of one pixel; what a dragged one may have of them follows. */
-let cost = 60 / (960 * 540);
-let settle = 0;
+let queue = [];
+const drawings = [];
 
-const layers = () => (showsBefore() ? ["now", "before"] : ["now"]);
+/** A picture that is drawn again whenever something changes, with fewer pixels while it goes on changing. */
+class Drawing {
+  /** Which layers it has and how large it is, is asked for each time; `show` puts it where it is seen. */
+  constructor(layers, size, show) {
+    Object.assign(this, { layers, size, show });
+    this.number = drawings.push(this) - 1;
+    this.frame = 0;
+    /** The picture in the making, or the one that was made last. */
+    this.made = null;
+    this.busy = this.wanted = this.moving = false;
+    /** Milliseconds for a pixel; how many a picture may have while something is dragged follows. */
+    this.cost = 60 / (960 * 540);
+  }
 
-/** Something has changed: draw it, at first with fewer pixels if it goes on changing. */
-function redraw() {
-  wanted = true;
-  document.body.dataset.drawn = "";
-  if (!drawing) draw(moving);
-  else if (!frames.quick) draw(moving);
-  explain();
-}
+  /** Something has changed. */
+  redraw() {
+    this.wanted = true;
+    if (!this.busy || !this.made.quick) this.draw(this.moving);
+  }
 
-function draw(quick) {
-  if (!run) return;
-  const shown = layers();
-  const whole = cost * size[0] * size[1] * shown.length;
-  const part = quick ? Math.min(1, Math.max(1 / 6, Math.sqrt(DRAGGED_MS / whole))) : 1;
-  const [width, height] = size.map((side) => Math.max(1, Math.round(side * part)));
-  wanted = false;
-  drawing = true;
-  started = performance.now();
-  frame += 1;
-  frames = { quick: part < 1, width, height, left: 0, layers: shown, rgb: {} };
-  bands = [];
-  const count = Math.max(1, Math.round(BAND_PIXELS / width));
-  for (let first = 0; first < height; first += count)
-    for (const layer of shown)
-      bands.push({ frame, layer, width, height, first, count: Math.min(count, height - first) });
-  for (const layer of shown) frames.rgb[layer] = new Uint8Array(3 * width * height);
-  frames.left = bands.length;
-  pump();
-}
+  draw(quick) {
+    const [layers, size] = [this.layers(), this.size()];
+    const whole = this.cost * size[0] * size[1] * layers.length;
+    const part = quick ? Math.min(1, Math.max(1 / 6, Math.sqrt(DRAGGED_MS / whole))) : 1;
+    const [width, height] = size.map((side) => Math.max(1, Math.round(side * part)));
+    this.wanted = false;
+    this.busy = true;
+    this.started = performance.now();
+    this.frame += 1;
+    this.made = { quick: part < 1, width, height, left: 0, layers, rgb: {} };
+    for (const layer of layers) this.made.rgb[layer] = new Uint8Array(3 * width * height);
+    queue = queue.filter((band) => band.drawing !== this.number);
+    const [most, least] = BAND_PIXELS.map((pixels) => Math.max(1, Math.round(pixels / width)));
+    for (let first = 0, count; first < height; first += count) {
+      const share = Math.ceil((height - first) / (3 * Math.max(1, workers.length)));
+      count = Math.min(height - first, most, Math.max(least, share));
+      for (const layer of layers) {
+        queue.push({ drawing: this.number, frame: this.frame, layer, width, height, first, count });
+        this.made.left += 1;
+      }
+    }
+    pump();
+  }
 
-function hand(worker) {
-  worker.band = bands.shift() || null;
-  if (worker.band) worker.postMessage(worker.band);
+  finished({ frame, layer, width, first, rgb }) {
+    if (frame !== this.frame) return;
+    const { made } = this;
+    made.rgb[layer].set(rgb, 3 * width * first);
+    made.left -= 1;
+    if (made.left) return;
+    this.busy = false;
+    const spent = performance.now() - this.started;
+    this.cost = 0.5 * this.cost + 0.5 * spent / (made.width * made.height * made.layers.length);
+    clearTimeout(this.settle);
+    if (this.wanted) this.draw(this.moving);
+    else if (made.quick) this.settle = setTimeout(() => { this.moving = false; this.draw(false); }, 80);
+    this.show(made, this.busy || made.quick ? "" : `${frame} ${spent.toFixed(1)}`);
+  }
 }
 
 function pump() {
-  for (const worker of workers) if (!worker.band) hand(worker);
-  if (!workers.length && bands.length) alone();
+  for (let ahead = 0; ahead < AHEAD; ahead++)
+    for (const worker of workers)
+      if (worker.bands.length === ahead && queue.length) {
+        worker.bands.push(queue[0]);
+        worker.postMessage(queue.shift());
+      }
+  if (!workers.length && queue.length) alone();
 }
 
 const { port1, port2 } = new MessageChannel();
 port1.onmessage = () => {
-  const band = bands.shift();
+  const band = queue.shift();
   if (!band) return;
-  const { layer, width, height, first, count } = band;
-  finished({ ...band, rgb: run(`rows ${layer} ${width} ${height} ${first} ${count}`) });
-  if (bands.length) alone();
+  const { drawing, layer, width, height, first, count } = band;
+  const rgb = run(`rows ${layer} ${width} ${height} ${first} ${count}`);
+  drawings[drawing].finished({ ...band, rgb });
+  if (queue.length) alone();
 };
 /** Without workers: a band here, then whatever else the page has to do, then the next. */
 function alone() { port2.postMessage(0); }
 
-function finished({ frame: number, layer, width, first, rgb }) {
-  if (number !== frame) return;
-  frames.rgb[layer].set(rgb, 3 * width * first);
-  frames.left -= 1;
-  if (frames.left) return;
-  drawing = false;
-  const { width: cols, height: rows, quick } = frames;
-  const spent = performance.now() - started;
-  cost = 0.5 * cost + 0.5 * spent / (cols * rows * frames.layers.length);
-  show();
-  if (wanted) draw(moving);
-  else if (quick) { clearTimeout(settle); settle = setTimeout(() => { moving = false; draw(false); }, 80); }
-  document.body.dataset.drawn = quick || wanted ? "" : `${frame} ${Math.round(spent)}`;
+/** Puts a picture on a canvas of this size, with what is drawn over it. */
+function put(canvas, layer, [cols, rows], { width, height, rgb }, marks) {
+  const rgba = run(`show ${layer} ${cols} ${rows} ${width} ${height} ${marks}`, rgb[layer]);
+  if (canvas.width !== cols || canvas.height !== rows) [canvas.width, canvas.height] = [cols, rows];
+  canvas.getContext("2d").putImageData(new ImageData(new Uint8ClampedArray(rgba.buffer), cols, rows), 0, 0);
 }
 
-/** Puts the frame on the canvas, with what is drawn over it. */
-function show() {
-  const { width, height } = frames;
+// ---- the step's picture
+
+let size = SIZE;
+
+const stage = new Drawing(() => (showsBefore() ? ["now", "before"] : ["now"]), () => size, (made, drawn) => {
+  show(made);
+  document.body.dataset.drawn = drawn;
+});
+
+/** Something has changed: draw it, and explain the pinned pixel. */
+function redraw() {
+  document.body.dataset.drawn = "";
+  stage.redraw();
+  explain();
+}
+
+function show(made) {
   const drawn = (pin && vectors) || handles || outside;
-  const [cols, rows] = drawn ? size : [width, height];
-  // As high as the letters beside the picture, and no larger than the picture can hold.
-  const scale = size[0] / Math.max(1, $("picture").clientWidth);
-  const letters = Math.max(8, Math.min(size[1] / 12, 15 * scale));
+  // As high as the letters beside the picture, larger where the picture is, and no larger than it can hold.
+  const width = Math.max(1, $("picture").clientWidth);
+  const letters = Math.max(8, Math.min(size[1] / 12, Math.max(15, 0.022 * width) * size[0] / width));
   const marks = `${letters} ${pin ? pin.join(",") : "-"} ${Number(vectors)} ${Number(handles)}`;
-  for (const layer of frames.layers) {
-    const canvas = $(layer);
-    const rgba = run(`show ${layer} ${cols} ${rows} ${width} ${height} ${drawn ? marks : "8 - 0 0"}`, frames.rgb[layer]);
-    if (canvas.width !== cols || canvas.height !== rows) [canvas.width, canvas.height] = [cols, rows];
-    canvas.getContext("2d").putImageData(new ImageData(new Uint8ClampedArray(rgba.buffer), cols, rows), 0, 0);
-  }
+  for (const layer of made.layers)
+    put($(layer), layer, drawn ? size : [made.width, made.height], made, drawn ? marks : "8 - 0 0");
 }
 
 /** A change by hand, of which more may follow at once. */
 function moved(command) {
-  try { change(command); } catch (error) { return notice(error.message); }
-  moving = true;
+  const wrong = attempt(command);
+  if (wrong) return notice(() => wrong);
+  stage.moving = true;
   refresh();
+}
+
+/** Why a command cannot be done; "" if it is. */
+function attempt(command) {
+  try { change(command); return ""; } catch (error) { return error.message; }
 }
 
 // ---- what the address says, and what it is made to say
@@ -232,9 +241,12 @@ let outside = false;
 
 const showsBefore = () => (divided || held) && state && state.step > 1;
 
-function notice(message) {
-  $("notice").textContent = message || "";
-  $("notice").hidden = !message;
+/** What is said now, in whatever language the page is then. */
+let said = () => "";
+function notice(message = () => "") {
+  said = message;
+  $("notice").textContent = said();
+  $("notice").hidden = !said();
 }
 
 /** Two whole numbers, or none. */
@@ -248,11 +260,11 @@ const decoded = (part) => { try { return decodeURIComponent(part); } catch { ret
 /** Shows what `address` says, and says what of it cannot be shown. */
 function open(address) {
   const wrong = [];
-  if (address.length > LONGEST_ADDRESS) { wrong.push(text("long")); address = ""; }
+  if (address.length > LONGEST_ADDRESS) { wrong.push(() => text("the address is too long")); address = ""; }
   const [name, ...settings] = address.replace(/^#/, "").split("&").filter((part) => part).map(decoded);
   const found = /^step0?(\d+)(_\w+)?$/.exec(name || "step01");
   let step = found ? Number(found[1]) : 0;
-  if (step < 1 || step > STEPS) { wrong.push(`${(name || "").slice(0, 40)}: ${text("noStep")}`); step = 1; }
+  if (step < 1 || step > STEPS) { wrong.push(() => `${(name || "").slice(0, 40)}: ${text("there is no such step")}`); step = 1; }
   change(`open ${step}`);
   pin = null;
   size = SIZE;
@@ -262,10 +274,11 @@ function open(address) {
   for (const setting of settings) {
     const [key, value = ""] = setting.split(/=(.*)/s);
     if (key === "pixel") place = value;
+    else if (key === "language") speak(/^pt/.test(value) ? "pt-BR" : "en");
     else if (key === "size") {
       const wish = pair(value, "x");
       if (wish && wish[0] > 0 && wish[1] > 0 && wish[0] * wish[1] <= 4e6) size = wish;
-      else wrong.push(`size: ${text("noSize")}`);
+      else wrong.push(() => `size: ${text("there is no such size")}`);
     } else if (key === "divide") {
       const at = Number(value);
       divided = value !== "" && at >= 0 && at <= 1 && step > 1;
@@ -274,16 +287,19 @@ function open(address) {
     else if (key === "handles") handles = value === "on";
     else if (key === "outside") change(`outside ${value === "on" ? "on" : "off"}`);
     else {
-      try { change(`set ${key.replace(/\s/g, "_")} ${value.replace(/\s/g, "_")}`); } catch (error) { wrong.push(error.message.slice(0, 200)); }
+      const command = `set ${key.replace(/\s/g, "_")} ${value.replace(/\s/g, "_")}`;
+      // What cannot be done now can neither be done when the language changes.
+      if (attempt(command)) wrong.push(() => attempt(command).slice(0, 200));
     }
   }
   if (place !== null) {
     const wish = pair(place, ",");
     if (wish && wish[0] < size[0] && wish[1] < size[1]) pin = wish;
-    else wrong.push(`pixel: ${text("noPixel")}`);
+    else wrong.push(() => `pixel: ${text("there is no such pixel")}`);
   }
-  notice(wrong.length ? `${text("ignored")}\n${wrong.slice(0, 5).join("\n")}` : "");
-  moving = false;
+  const several = () => [text("Not all of the address can be used:"), ...wrong.slice(0, 5).map((say) => say())];
+  notice(wrong.length ? () => several().join("\n") : undefined);
+  stage.moving = false;
   refresh();
 }
 
@@ -294,6 +310,7 @@ function address() {
   if (pin) parts.push(`pixel=${pin.join(",")}`);
   if (!vectors) parts.push("vectors=off");
   if (handles) parts.push("handles=on");
+  if (language !== languageOfBrowser()) parts.push(`language=${language.slice(0, 2)}`);
   if (divided) parts.push(`divide=${$("divider").value}`);
   return "#" + parts.map((part) => encodeURIComponent(part).replace(/%(3D|2C)/g, decodeURIComponent)).join("&");
 }
@@ -309,11 +326,13 @@ function writeAddress() {
   }, 200);
 }
 
-function read() {
-  const read = { step: 1, name: "", command: "", changes: [], settings: [] };
-  for (const [kind, ...rest] of lines("state")) {
+/** What a step or a figure holds now. */
+function read(command) {
+  const read = { step: 1, name: "", command: "", size: SIZE, changes: [], settings: [] };
+  for (const [kind, ...rest] of lines(command)) {
     if (kind === "step") [read.step, read.name] = [Number(rest[0]), rest[1]];
     else if (kind === "command") read.command = rest[0];
+    else if (kind === "size") read.size = rest.map(Number);
     else if (kind === "change") read.changes.push(rest[0]);
     else {
       const [name, group, value, fraction, takes, options, changed] = rest;
@@ -329,10 +348,10 @@ function read() {
 /** Reads what the steps' program holds now, and shows it. */
 function refresh() {
   const before = state && state.step;
-  state = read();
+  state = read("state");
   outside = state.changes.includes("outside=on");
   if (state.step !== before) showStep();
-  showControls();
+  controls.show(state.settings);
   showStage();
   redraw();
   writeAddress();
@@ -350,12 +369,13 @@ function showStep() {
     if (link.hash === `#step${two(state.step)}`) link.setAttribute("aria-current", "page");
     else link.removeAttribute("aria-current");
   }
-  for (const article of document.querySelectorAll("article")) article.hidden = article !== shown;
+  for (const article of document.querySelectorAll("article"))
+    article.hidden = article !== shown && article.id !== `diff${two(state.step)}`;
   const heading = shown.querySelector("h2").textContent;
   if (!formulas.has(shown)) formulas.set(shown, shown.querySelector(".equation"));
   $("formula").replaceChildren(formulas.get(shown));
   $("formula").lang = language;
-  document.title = `${heading} · ${text("title")}`;
+  document.title = `${heading} · ${text("Ray tracing in seven steps")}`;
   $("now").setAttribute("aria-label", heading);
 }
 
@@ -385,75 +405,124 @@ function element(name, properties, ...children) {
   return made;
 }
 
-let shape = null;
+/** The sliders and choices of a step or a figure. */
+class Controls {
+  /** In `box`; ids begin with `prefix`, and what a hand does is a command for `moved`. */
+  constructor(box, prefix, moved) {
+    Object.assign(this, { box, prefix, moved, shape: "" });
+  }
 
-/** The controls: made anew when there are others, else only given their values. */
-function showControls() {
-  const now = JSON.stringify([language, state.step, state.settings.map(({ name, group, options }) => [name, group, options])]);
-  if (now !== shape) { shape = now; makeControls(); }
-  for (const setting of state.settings) {
-    const row = $(`control-${setting.name}`);
-    row.classList.toggle("changed", setting.changed);
-    const [input, output, reset] = [row.querySelector("input, select"), row.querySelector("output"), row.querySelector("button")];
-    reset.style.visibility = setting.changed ? "visible" : "hidden";
-    output.textContent = input.tagName === "SELECT" ? "" : setting.value;
-    if (input.type === "range") {
-      input.value = setting.fraction;
-      input.setAttribute("aria-valuetext", setting.value);
-    } else if (input.type === "checkbox") input.checked = setting.fraction === 1;
-    else input.selectedIndex = Math.round(setting.fraction * (setting.options.length - 1));
+  /** Makes them anew when there are others, else only gives them their values. */
+  show(settings) {
+    const shape = JSON.stringify([language, settings.map(({ name, group, options }) => [name, group, options])]);
+    if (shape !== this.shape) { this.shape = shape; this.make(settings); }
+    for (const setting of settings) {
+      const row = $(`${this.prefix}control-${setting.name}`);
+      row.classList.toggle("changed", setting.changed);
+      const [input, output, reset] = [row.querySelector("input, select"), row.querySelector("output"), row.querySelector("button")];
+      reset.style.visibility = setting.changed ? "visible" : "hidden";
+      output.textContent = input.tagName === "SELECT" ? "" : setting.value;
+      if (input.type === "range") {
+        input.value = setting.fraction;
+        input.setAttribute("aria-valuetext", setting.value);
+      } else if (input.type === "checkbox") input.checked = setting.fraction === 1;
+      else input.selectedIndex = Math.round(setting.fraction * (setting.options.length - 1));
+    }
+  }
+
+  /** The step's own first, then folded the ones of the steps before, and last the camera's. */
+  make(settings) {
+    const groups = new Map();
+    for (const setting of settings) {
+      if (!groups.has(setting.group)) groups.set(setting.group, []);
+      groups.get(setting.group).push(this.row(setting));
+    }
+    const names = [...groups.keys()];
+    const camera = names.pop(), own = names.pop();
+    this.box.replaceChildren(...[own, ...names, camera].filter((name) => groups.has(name)).map((name) => {
+      if (name === own || !name) return element("div", {}, ...groups.get(name));
+      return element("details", {}, element("summary", { textContent: name }), ...groups.get(name));
+    }));
+  }
+
+  row({ name, options, takes }) {
+    const id = `${this.prefix}input-${name}`;
+    const label = element("label", { htmlFor: id }, ...symbol(name));
+    let input;
+    const isSwitch = options.length === 2 && options.includes("on") && options.includes("off");
+    if (isSwitch) {
+      input = element("input", { type: "checkbox", id });
+      input.onchange = () => this.moved(`set ${name} ${input.checked ? "on" : "off"}`);
+    } else if (options.length) {
+      input = element("select", { id }, ...options.map((option) => element("option", { textContent: option })));
+      input.onchange = () => this.moved(`fraction ${name} ${input.selectedIndex / Math.max(1, options.length - 1)}`);
+    } else {
+      input = element("input", { type: "range", id, min: 0, max: 1, step: "any", title: takes });
+      input.oninput = () => this.moved(`fraction ${name} ${input.value}`);
+      // As the keys do in the window.
+      input.onkeydown = (event) => {
+        const steps = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
+        if (!steps) return;
+        event.preventDefault();
+        this.moved(`nudge ${name} ${event.shiftKey ? steps / 10 : steps}`);
+      };
+    }
+    const reset = element("button", { type: "button", textContent: "↺", onclick: () => this.moved(`reset ${name}`) });
+    reset.setAttribute("aria-label", `${text("Reset")} ${name}`);
+    const output = element("output", {});
+    output.htmlFor = id;
+    return element("div", { className: "control", id: `${this.prefix}control-${name}` }, label, input, output, reset);
   }
 }
 
-function makeControls() {
-  const groups = new Map();
-  for (const setting of state.settings) {
-    if (!groups.has(setting.group)) groups.set(setting.group, []);
-    groups.get(setting.group).push(setting);
-  }
-  const names = [...groups.keys()].filter((name) => name !== "camera");
-  const own = names[names.length - 1];
-  const order = [own, ...names.filter((name) => name !== own), "camera"].filter((name) => groups.has(name));
-  $("controls").replaceChildren(...order.map((name) => {
-    const rows = groups.get(name).map(makeControl);
-    if (name === own) return element("div", {}, ...rows);
-    return element("details", {}, element("summary", { textContent: name === "camera" ? text("camera") : name }), ...rows);
-  }));
-}
-
-function makeControl({ name, options, takes }) {
-  const id = `input-${name}`;
-  const label = element("label", { htmlFor: id }, ...symbol(name));
-  let input;
-  const isSwitch = options.length === 2 && options.includes("on") && options.includes("off");
-  if (isSwitch) {
-    input = element("input", { type: "checkbox", id });
-    input.onchange = () => moved(`set ${name} ${input.checked ? "on" : "off"}`);
-  } else if (options.length) {
-    input = element("select", { id }, ...options.map((option) => element("option", { textContent: option })));
-    input.onchange = () => moved(`fraction ${name} ${input.selectedIndex / Math.max(1, options.length - 1)}`);
-  } else {
-    input = element("input", { type: "range", id, min: 0, max: 1, step: "any", title: takes });
-    input.oninput = () => moved(`fraction ${name} ${input.value}`);
-    // As the keys do in the window.
-    input.onkeydown = (event) => {
-      const steps = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
-      if (!steps) return;
-      event.preventDefault();
-      moved(`nudge ${name} ${event.shiftKey ? steps / 10 : steps}`);
-    };
-  }
-  const reset = element("button", { type: "button", textContent: "↺", onclick: () => moved(`reset ${name}`) });
-  reset.setAttribute("aria-label", `${text("resetOne")} ${name}`);
-  const output = element("output", {});
-  output.htmlFor = id;
-  return element("div", { className: "control", id: `control-${name}` }, label, input, output, reset);
-}
+const controls = new Controls($("controls"), "", moved);
 
 /** `k_d` with its index below. */
 function symbol(name) {
   const found = /^(\w)_(\w+)$/.exec(name);
   return found ? [found[1], element("sub", { textContent: found[2] })] : [name];
+}
+
+// ---- the figures of the handouts, live as soon as they are seen
+
+class Figure {
+  constructor(place) {
+    this.name = place.dataset.figure;
+    this.canvas = element("canvas", {});
+    place.append(this.canvas);
+    const box = element("div", { className: "controls" });
+    place.after(box);
+    this.drawing = new Drawing(() => [this.name], () => this.state.size, (made, drawn) => {
+      put(this.canvas, this.name, this.state.size, made, "8 - 0 0");
+      place.dataset.drawn = drawn;
+    });
+    const moved = (command) => {
+      if (attempt(`figure ${this.name} ${command}`)) return;
+      this.drawing.moving = true;
+      this.refresh();
+    };
+    this.controls = new Controls(box, `figure${this.drawing.number}-`, moved);
+    change(`figure ${this.name} reset`);
+  }
+
+  refresh() {
+    this.state = read(`figure ${this.name} state`);
+    this.controls.show(this.state.settings);
+    this.drawing.redraw();
+  }
+}
+
+const figures = new Map();
+
+function enliven() {
+  const seen = new IntersectionObserver((entries) => {
+    for (const { target, isIntersecting } of entries) {
+      if (!isIntersecting) continue;
+      if (!figures.has(target)) figures.set(target, new Figure(target));
+      figures.get(target).refresh();
+    }
+  });
+  for (const place of document.querySelectorAll("[data-figure]")) seen.observe(place);
 }
 
 // ---- the pinned pixel
@@ -463,16 +532,16 @@ const folds = new Map();
 
 function explain() {
   $("unpinned").hidden = Boolean(pin);
-  $("pinned").textContent = pin ? `${text("pinnedAt")} (${pin.join(", ")})` : text("pixel");
+  $("pinned").textContent = pin ? `${text("The pixel")} (${pin.join(", ")})` : text("The pixel");
   if (!pin) { told = null; $("explanation").replaceChildren(); fillEquation([]); return; }
   const parts = lines(`explain ${size.join(" ")} ${pin.join(",")}`);
-  const now = JSON.stringify(parts.map(([kind, name, more]) => [kind, name, kind === "group" ? more : ""]));
+  const now = JSON.stringify(parts.map(([kind, key, shown, more]) => [kind, key, kind === "group" ? more : "", shown]));
   if (now !== told) { told = now; makeExplanation(parts); }
   const places = $("explanation").querySelectorAll("[data-value]");
   let place = 0;
   for (const [kind, ...rest] of parts) {
     if (kind === "section" || (kind === "group" && !rest[0])) continue;
-    const shown = kind === "line" ? rest.slice(3) : kind === "seen" ? rest : rest.slice(2);
+    const shown = kind === "line" ? rest.slice(4) : kind === "seen" ? rest : rest.slice(3);
     places[place++].textContent = kind === "group" ? shown[0] : shown.map((number) => number.padEnd(9)).join(" ").trimEnd();
   }
   fillEquation(parts);
@@ -488,19 +557,20 @@ function fillEquation(parts) {
   // Of each symbol what is told last counts, but of several lights or objects the chosen one.
   const told = new Map();
   const groups = new Map();
-  let group = "", section = 0;
+  const titles = [];
+  let group = "", title = "", section = 0;
   for (const [kind, ...rest] of parts) {
     if (kind === "section") { section += 1; group = ""; }
-    else if (kind === "group") group = rest[1] === "1" ? rest[0] : null;
+    else if (kind === "group") [group, title] = [rest[2] === "1" ? rest[0] : null, rest[1]];
     if (kind !== "line" || group === null) continue;
-    const [equation, names, , ...numbers] = rest;
+    const [equation, , names, , ...numbers] = rest;
     const parts = names.replace(/^\(|\)$/g, "").split(", ");
     const each = parts.length === numbers.length && parts.length > 1 && !parts.some((part) => part.includes(" "));
     (each ? parts : [names, equation.split(" = ").pop()]).forEach((name, place) => {
       if (!symbols.has(name)) return;
       const value = each ? [numbers[place]] : numbers;
       if (group && group !== "sum" && section > 2) {
-        if (!groups.has(group)) groups.set(group, new Map());
+        if (!groups.has(group)) { groups.set(group, new Map()); titles.push(title); }
         groups.get(group).set(name, value);
       } else told.set(name, value);
     });
@@ -514,9 +584,9 @@ function fillEquation(parts) {
   }
   $("numbers").hidden = names.length < 2;
   const choice = $("numbers").querySelector("select");
-  if (JSON.stringify(names) !== choice.dataset.names) {
-    choice.dataset.names = JSON.stringify(names);
-    choice.replaceChildren(...names.map((name) => element("option", { textContent: name })));
+  if (JSON.stringify(titles) !== choice.dataset.titles) {
+    choice.dataset.titles = JSON.stringify(titles);
+    choice.replaceChildren(...names.map((value, at) => element("option", { value, textContent: titles[at] })));
   }
   choice.value = numbersOf;
 }
@@ -538,19 +608,19 @@ function makeExplanation(parts) {
     made.dataset.value = "";
     return made;
   };
-  for (const [kind, name, more, ink] of parts) {
+  for (const [kind, key, name, more, ink] of parts) {
     if (kind === "section") {
-      path = name;
-      top.push(section = group = fold(name, name, true));
+      path = key;
+      top.push(section = group = fold(key, name, true));
       list = null;
     } else if (kind === "group") {
       list = null;
-      if (!name) { group = section; continue; }
-      section.append(group = fold(`${path}/${name}`, name, more === "1", value("span", "outcome")));
+      if (!key) { group = section; continue; }
+      section.append(group = fold(`${path}/${key}`, name, more === "1", value("span", "outcome")));
     } else {
       if (kind === "seen") { list = null; group = section = element("div", {}); top.push(group); }
       if (!list) group.append(list = element("dl", { className: "lines" }));
-      const symbol = element("dt", {}, kind === "seen" ? text("seen") : name);
+      const symbol = element("dt", {}, kind === "seen" ? text("seen, sRGB 0 to 255") : name);
       if (kind === "line" && ink) {
         symbol.className = "inked";
         symbol.style.setProperty("--ink", ink);
@@ -644,7 +714,7 @@ function hands() {
 }
 
 /** The letters over the picture are as high as those beside it, however wide it is. */
-new ResizeObserver(() => { if (run && !drawing && frames.rgb) show(); }).observe($("picture"));
+new ResizeObserver(() => { if (stage.made && !stage.busy) show(stage.made); }).observe($("picture"));
 
 function hold(down) {
   if (held === down || (down && state.step === 1)) return;
@@ -656,8 +726,8 @@ function hold(down) {
 function go(step) {
   if (step < 1 || step > STEPS) return;
   change(`step ${step}`);
-  moving = false;
-  notice("");
+  stage.moving = false;
+  notice();
   refresh();
 }
 
@@ -672,7 +742,7 @@ function command() {
 }
 
 async function copy(what) {
-  notice(`${text("copied")} ${what}`);
+  notice(() => `${text("Copied:")} ${what}`);
   try { await navigator.clipboard.writeText(what); } catch { /* It is shown, and can be copied by hand. */ }
 }
 
@@ -697,7 +767,7 @@ function buttons() {
     const link = element("a", { href: $("now").toDataURL("image/png"), download: `${state.name}.png` });
     link.click();
   };
-  $("language").onclick = () => { language = language === "en" ? "pt-BR" : "en"; translate(); };
+  $("language").onclick = () => { speak(language === "en" ? "pt-BR" : "en"); refresh(); };
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey || !run || /^(INPUT|SELECT)$/.test(event.target.tagName)) return;
     if (event.key === "PageDown") go(state.step + 1);
@@ -727,7 +797,14 @@ function buttons() {
   addEventListener("hashchange", () => { if (location.hash !== written) open(location.hash); });
 }
 
+function speak(chosen) {
+  language = chosen;
+  translate();
+}
+
+/** Says everything in the language of the page. */
 function translate() {
+  if (run) run(`language ${language}`);
   document.documentElement.lang = language;
   for (const place of document.querySelectorAll("[data-text]")) place.textContent = text(place.dataset.text);
   for (const place of document.querySelectorAll("[data-name]")) place.setAttribute("aria-label", text(place.dataset.name));
@@ -736,16 +813,20 @@ function translate() {
   const other = language === "en" ? "pt-BR" : "en";
   $("language").textContent = { en: "English", "pt-BR": "Português" }[other];
   $("language").lang = other;
-  if (state) { told = null; showStep(); showControls(); explain(); }
+  notice(said);
+  told = null;
+  if (state) showStep();
 }
 
 translate();
 start().then(() => {
+  run(`language ${language}`);
   hands();
   buttons();
   open(location.hash);
+  enliven();
 }).catch((error) => {
   console.warn(error);
-  notice(text("broken"));
+  notice(() => text("The pictures cannot be drawn in this browser (it lacks WebAssembly or something in it); the texts can be read all the same."));
   document.documentElement.classList.add("broken");
 });

@@ -8,6 +8,7 @@ use anyhow::Context;
 use anyhow::Result;
 use common::text;
 use pulldown_cmark::CodeBlockKind;
+use pulldown_cmark::CowStr;
 use pulldown_cmark::Event;
 use pulldown_cmark::HeadingLevel;
 use pulldown_cmark::Options;
@@ -33,8 +34,7 @@ pub(crate) struct Section {
 }
 
 /// What the page shows live, and so does not repeat.
-const SHOWN_ALREADY: [&str; 4] =
-    ["Before and after", "Antes e depois", "The slides' figures", "As figuras dos slides"];
+const SHOWN_ALREADY: [&str; 2] = ["Before and after", "Antes e depois"];
 
 /// What is around a table, which may be wider than a phone.
 pub(crate) const TABLE: &str = "<div class=\"wide\" tabindex=\"0\" role=\"group\">";
@@ -95,17 +95,26 @@ fn finish(handout: &mut Handout, heading: Option<String>, mut part: Vec<Event<'_
     }
 }
 
-/// Equations become MathML, settings become links that set them, differences are coloured; links to
-/// files and pictures stay out.
+/// Equations become MathML, settings become links that set them, differences are coloured, tables of
+/// figures become figures; links to files and other pictures stay out.
 fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str) -> Vec<Event<'a>> {
     let number = &name[..6];
     let mut events: Vec<Event<'a>> = Vec::new();
-    let (mut links, mut image, mut code) = (Vec::new(), false, None);
+    let (mut links, mut code) = (Vec::new(), None);
+    // A figure's file and text, and where the table that it is in begins.
+    let mut table = 0;
+    let mut caption: Option<(String, String)> = None;
+    let mut image: Option<(CowStr<'_>, String)> = None;
+    let mut captions: Vec<(String, String)> = Vec::new();
+    let mut figures: Vec<(CowStr<'_>, String)> = Vec::new();
     for event in part {
         match event {
-            Event::Start(Tag::Image { .. }) => image = true,
-            Event::End(TagEnd::Image) => image = false,
-            _ if image => {}
+            Event::Start(Tag::Image { dest_url, .. }) => image = Some((dest_url, String::new())),
+            Event::End(TagEnd::Image) => figures.extend(image.take()),
+            Event::Text(text) if image.is_some() => {
+                image.iter_mut().for_each(|(_, alternative)| alternative.push_str(&text));
+            }
+            _ if image.is_some() => {}
             Event::DisplayMath(latex) => {
                 events.push(Event::InlineHtml(equation::block(&latex).into()));
             }
@@ -137,14 +146,24 @@ fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str) -> Vec<Event<'a>> {
                 events.push(Event::Html(html.into()));
             }
             Event::Start(Tag::Table(alignments)) => {
+                (table, captions, figures) = (events.len(), Vec::new(), Vec::new());
                 events.push(Event::Html(TABLE.into()));
                 events.push(Event::Start(Tag::Table(alignments)));
+            }
+            Event::End(TagEnd::Table) if !captions.is_empty() => {
+                events.truncate(table);
+                for (path, caption) in std::mem::take(&mut captions) {
+                    events.push(Event::Html(figure(&path, &caption, &figures).into()));
+                }
             }
             Event::End(TagEnd::Table) => {
                 events.push(Event::End(TagEnd::Table));
                 events.push(Event::Html("</div>".into()));
             }
             Event::Start(Tag::Link { dest_url, .. }) => {
+                if dest_url.starts_with("examples/") {
+                    caption = Some((dest_url.to_string(), String::new()));
+                }
                 let step = dest_url.strip_prefix("../step").and_then(|rest| rest.get(..2));
                 links.push(step.is_some());
                 if let Some(step) = step {
@@ -153,14 +172,31 @@ fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str) -> Vec<Event<'a>> {
                 }
             }
             Event::End(TagEnd::Link) => {
+                captions.extend(caption.take());
                 if links.pop() == Some(true) {
                     events.push(Event::InlineHtml("</a>".into()));
                 }
+            }
+            Event::Text(text) if caption.is_some() => {
+                caption.iter_mut().for_each(|(_, caption)| caption.push_str(&text));
             }
             event => events.push(event),
         }
     }
     events
+}
+
+/// The figure whose program is in `path`: what it shows, and a place for it, of the shape of its
+/// picture. `pictures` are those of all figures, with what is to be seen in them.
+fn figure(path: &str, caption: &str, pictures: &[(CowStr<'_>, String)]) -> String {
+    let name = path.trim_start_matches("examples/").trim_end_matches(".rs");
+    let picture = format!("figures/{name}.png");
+    let seen = pictures.iter().find(|(path, _)| **path == *picture);
+    let (caption, seen) = (escape(caption), escape(seen.map_or("", |(_, seen)| seen)));
+    format!(
+        "<figure><figcaption>{caption}</figcaption>\
+         <div class=\"still {name}\" data-figure=\"{name}\" role=\"img\" aria-label=\"{seen}\"></div></figure>"
+    )
 }
 
 /// `--camera parallel --set p=10` as it stands in an address.

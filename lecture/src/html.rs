@@ -14,14 +14,21 @@ use anyhow::Result;
 use anyhow::bail;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
+use common::Language;
 use common::text;
 use flate2::Compression;
 use flate2::write::GzEncoder;
+use image::codecs::jpeg::JpegEncoder;
+use image::imageops::FilterType;
 use lecture::PROGRAMS;
 
 use crate::handout;
 use crate::handout::Handout;
 use crate::handout::escape;
+
+/// Pixels of a figure's picture, and what part of it a JPEG keeps: so that the page stays small.
+const STILL_WIDTH: u32 = 300;
+const STILL_QUALITY: u8 = 40;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
@@ -45,6 +52,7 @@ pub(crate) fn page() -> Result<String> {
     packed.write_all(&wasm)?;
     let wasm = STANDARD.encode(packed.finish()?);
     let (mut links, mut articles) = (String::new(), String::new());
+    let mut style = include_str!("../page/style.css").to_owned();
     for program in PROGRAMS {
         let (folder, number) = (root.join(program.name), &program.name[4..6]);
         let _ = writeln!(
@@ -56,14 +64,25 @@ pub(crate) fn page() -> Result<String> {
         let difference = fs::read_to_string(difference).unwrap_or_default();
         for (language, file) in LANGUAGES {
             let handout = handout::read(&folder.join(file), program.name)?;
-            articles.push_str(&article(&handout, number, language, &difference));
+            articles.push_str(&article(&handout, number, language));
         }
+        if !difference.is_empty() {
+            let _ = writeln!(
+                articles,
+                "<article id=\"diff{number}\"><details class=\"more\"><summary><h3 data-text=\"What is new in the code\">What is new in the code</h3></summary>{}</details></article>",
+                handout::difference(&difference)
+            );
+        }
+        stills(&folder.join("figures"), &mut style)?;
     }
+    let (template, script) = (include_str!("../page/index.html"), include_str!("../page/page.js"));
+    let portuguese = portuguese(&[template, script, &articles]);
     Ok(filled(
-        include_str!("../page/index.html"),
+        template,
         &[
-            ("style", include_str!("../page/style.css")),
-            ("script", include_str!("../page/page.js")),
+            ("style", &style),
+            ("script", script),
+            ("portuguese", &portuguese),
             ("links", &links),
             ("articles", &articles),
             ("wasm", &wasm),
@@ -71,8 +90,45 @@ pub(crate) fn page() -> Result<String> {
     ))
 }
 
-/// A step's handout, and what is new in its code, folded.
-fn article(handout: &Handout, number: &str, language: &str, difference: &str) -> String {
+/// The page's own texts as they are in the catalogue, for its script: those that `sources` have in
+/// quotes.
+fn portuguese(sources: &[&str]) -> String {
+    let mut pairs = Vec::new();
+    for (english, portuguese) in Language::catalogue() {
+        let quoted = format!("\"{english}\"");
+        if sources.iter().any(|source| source.contains(&quoted)) {
+            pairs.push(format!("{english:?}:{portuguese:?}"));
+        }
+    }
+    format!("{{{}}}", pairs.join(","))
+}
+
+/// The committed pictures in `folder`, small, as the grounds of the places for the figures: where
+/// nothing can be drawn, they remain.
+fn stills(folder: &Path, style: &mut String) -> Result<()> {
+    let mut paths = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        paths.push(entry?.path());
+    }
+    paths.sort();
+    for path in paths {
+        let picture = image::open(&path).with_context(|| path.display().to_string())?;
+        let (width, height) = (picture.width(), picture.height());
+        let small = picture.resize(STILL_WIDTH, height, FilterType::Triangle).to_rgb8();
+        let mut bytes = Vec::new();
+        JpegEncoder::new_with_quality(&mut bytes, STILL_QUALITY).encode_image(&small)?;
+        let (name, bytes) = (path.file_stem().unwrap_or_default(), STANDARD.encode(bytes));
+        let _ = writeln!(
+            style,
+            ".{} {{ aspect-ratio: {width} / {height}; background-image: url(data:image/jpeg;base64,{bytes}); }}",
+            name.display()
+        );
+    }
+    Ok(())
+}
+
+/// A step's handout.
+fn article(handout: &Handout, number: &str, language: &str) -> String {
     let title = escape(&handout.title);
     let mut html = format!(
         "<article id=\"handout{number}-{language}\" lang=\"{language}\"><h2>{title}</h2>{}",
@@ -89,7 +145,7 @@ fn article(handout: &Handout, number: &str, language: &str, difference: &str) ->
         // The symbols are folded, so that the equation has room beside the picture.
         let text = match section.html.split_once(handout::TABLE) {
             Some((equation, table)) if class == "equation" => format!(
-                "{equation}<details><summary data-text=\"symbols\"></summary>{TABLE}{table}</details>",
+                "{equation}<details><summary data-text=\"Symbols\"></summary>{TABLE}{table}</details>",
                 TABLE = handout::TABLE,
             ),
             _ => section.html.clone(),
@@ -97,13 +153,6 @@ fn article(handout: &Handout, number: &str, language: &str, difference: &str) ->
         let _ = writeln!(
             html,
             "<details class=\"{class}\"{open}><summary><h3>{heading}</h3></summary>{text}</details>"
-        );
-    }
-    if !difference.is_empty() {
-        let lines = handout::difference(difference);
-        let _ = writeln!(
-            html,
-            "<details class=\"more\"><summary><h3 data-text=\"diff\"></h3></summary>{lines}</details>"
         );
     }
     html + "</article>\n"

@@ -5,6 +5,7 @@
 
 #[cfg(target_family = "wasm")]
 mod exports;
+mod figures;
 #[cfg(feature = "desktop")]
 mod lesson;
 mod page;
@@ -15,6 +16,7 @@ use std::rc::Rc;
 #[cfg(feature = "desktop")]
 use common::Size;
 use common::Step;
+pub use figures::FIGURES;
 #[cfg(feature = "desktop")]
 use lesson::Lesson;
 pub use page::Page;

@@ -7,6 +7,7 @@ use common::Canvas;
 use common::Explanation;
 use common::Frame;
 use common::Handle;
+use common::Language;
 use common::Make;
 use common::Outcome;
 use common::Outside;
@@ -22,8 +23,11 @@ use common::draw_vectors;
 use common::encode;
 use common::handle_at;
 use common::symbol_ink;
+use common::text;
+use common::translated;
 use image::RgbImage;
 
+use crate::FIGURES;
 use crate::PROGRAMS;
 
 /// All that the page in a browser knows: the step that is shown, and what was changed in it.
@@ -33,9 +37,16 @@ use crate::PROGRAMS;
 /// pictures too large are errors, never panics.
 pub struct Page {
     step: usize,
-    setup: Setup,
+    now: Scene,
     /// The step before, with the same changes; none before the first.
     before: Option<Setup>,
+    /// The figures that were asked for, with their names.
+    figures: Vec<(&'static str, Size, Scene)>,
+}
+
+/// A step or a figure, as it was changed, and from where it is seen.
+struct Scene {
+    setup: Setup,
     /// From where the camera is seen from outside, if it is.
     onlooker: Option<View>,
 }
@@ -43,7 +54,7 @@ pub struct Page {
 impl Default for Page {
     /// The first step, as it starts.
     fn default() -> Self {
-        Self { step: 0, setup: Setup::new(make(0)), before: None, onlooker: None }
+        Self { step: 0, now: Scene::new(make(0)), before: None, figures: Vec::new() }
     }
 }
 
@@ -62,77 +73,52 @@ struct Words<'a>(std::str::SplitWhitespace<'a>);
 
 impl<'a> Words<'a> {
     fn word(&mut self) -> Result<&'a str, String> {
-        self.0.next().ok_or_else(|| "the command ends too early".to_owned())
+        self.0.next().ok_or_else(|| text!("the command ends too early").to_owned())
     }
 
     fn number<T: FromStr>(&mut self) -> Result<T, String> {
         let word = self.word()?;
-        word.parse().map_err(|_| format!("'{word}' is not a number that can be used here"))
+        word.parse().map_err(|_| text!("'{word}' is not a number that can be used here", word))
     }
 
     fn finite(&mut self) -> Result<f32, String> {
         let number: f32 = self.number()?;
-        if number.is_finite() { Ok(number) } else { Err(format!("{number} is no number to go by")) }
+        match number.is_finite() {
+            true => Ok(number),
+            false => Err(text!("'{word}' is not a number that can be used here", word = number)),
+        }
     }
 
     fn size(&mut self) -> Result<Size, String> {
         let size = Size::new(self.number()?, self.number()?).map_err(|error| error.to_string())?;
         match size.width() * size.height() {
             ..=MAX_PIXELS => Ok(size),
-            _ => Err(format!("a picture on the page has at most {MAX_PIXELS} pixels")),
+            _ => Err(text!("a picture on the page has at most {MAX_PIXELS} pixels", MAX_PIXELS)),
         }
     }
 
     fn step(&mut self) -> Result<usize, String> {
-        let number: usize = self.number()?;
+        let (number, last) = (self.number::<usize>()?, PROGRAMS.len());
         match number {
-            1.. if number <= PROGRAMS.len() => Ok(number - 1),
-            _ => Err(format!("there is no step {number}; there are 1 to {}", PROGRAMS.len())),
+            1.. if number <= last => Ok(number - 1),
+            _ => Err(text!("there is no step {number}; there are 1 to {last}", number, last)),
         }
     }
 }
 
-impl Page {
-    /// Does what `command` says and tells what came of it.
-    ///
-    /// | command | what it does |
-    /// |---|---|
-    /// | `open N` | shows step N, 1 to 7, as it starts |
-    /// | `step N` | goes to step N and takes all changes along |
-    /// | `set NAME VALUE` | as `--set` does |
-    /// | `fraction NAME F` | moves a slider to F of its range |
-    /// | `nudge NAME STEPS` | moves a slider as a key does |
-    /// | `reset NAME`, `reset` | gives one control or all of them their first value back |
-    /// | `orbit RIGHT UP`, `zoom FACTOR` | moves the camera, or the onlooker if there is one |
-    /// | `outside on\|off` | sees the camera from outside, or as it is; `set outside.azimuth 20` |
-    /// | `drag WIDTH HEIGHT PLACE U V` | moves the handle that `grab` named to (u, v) |
-    /// | `state` | the step, its controls, what is changed, and the program's command |
-    /// | `explain WIDTH HEIGHT COL,ROW` | how that pixel comes by its colour |
-    /// | `grab WIDTH HEIGHT X Y REACH` | the handle that is there, if one is |
-    /// | `rows now\|before WIDTH HEIGHT FIRST COUNT` | rows of the picture, three bytes a pixel |
-    /// | `show now\|before WIDTH HEIGHT COLS ROWS TEXT PIXEL VECTORS HANDLES`, the picture's bytes below | that picture with COLS × ROWS pixels made WIDTH × HEIGHT, and what is drawn over it: four bytes a pixel |
-    ///
-    /// In `show`, TEXT is the letters' height in pixels, PIXEL `COL,ROW` or `-`, and the last two
-    /// are 1 or 0.
-    ///
-    /// # Errors
-    ///
-    /// When it cannot be done: why, in one line. Then nothing changes.
-    pub fn answer(&mut self, command: &[u8]) -> Result<Vec<u8>, String> {
-        let end = command.iter().position(|byte| *byte == b'\n').unwrap_or(command.len());
-        let (line, bytes) = command.split_at(end);
-        let line = str::from_utf8(line).map_err(|_| "a command is text".to_owned())?;
-        let mut words = Words(line.split_whitespace());
-        match words.word()? {
-            "open" => {
-                self.step = words.step()?;
-                self.setup = Setup::new(make(self.step));
-                self.onlooker = None;
-            }
-            "step" => {
-                self.step = words.step()?;
-                self.setup = self.setup.carried_to(make(self.step));
-            }
+/// What is wrong with a command of which `word` is not known.
+fn unknown(word: &str) -> String {
+    text!("there is no '{word}'", word)
+}
+
+impl Scene {
+    fn new(make: Make) -> Self {
+        Self { setup: Setup::new(make), onlooker: None }
+    }
+
+    /// Does one of the commands that change a step or a figure.
+    fn change(&mut self, command: &str, words: &mut Words<'_>) -> Result<(), String> {
+        match command {
             "set" => {
                 let (name, value) = (words.word()?, words.word()?);
                 self.set(name, value)?;
@@ -165,19 +151,13 @@ impl Page {
                 let (size, place) = (words.size()?, words.number::<usize>()?);
                 let (u, v) = (words.finite()?, words.finite()?);
                 let points = self.setup.points();
-                let handle = points.get(place).ok_or("there is no such handle")?;
+                let handle = points.get(place).ok_or_else(|| unknown(&place.to_string()))?;
                 let camera = self.seen_from(&self.setup).camera(size.aspect());
                 self.setup.move_point(handle, drag(&*camera, handle.position, (u, v)));
             }
-            "state" => return Ok(self.state().into_bytes()),
-            "explain" => return Ok(self.explain(&mut words)?.into_bytes()),
-            "grab" => return self.grab(&mut words),
-            "rows" => return self.rows(&mut words),
-            "show" => return self.show(&mut words, bytes.get(1..).unwrap_or_default()),
-            other => return Err(format!("there is no command '{other}'")),
+            other => return Err(unknown(other)),
         }
-        self.before = self.step.checked_sub(1).map(|before| self.setup.carried_to(make(before)));
-        Ok(Vec::new())
+        Ok(())
     }
 
     fn set(&mut self, name: &str, value: &str) -> Result<(), String> {
@@ -188,7 +168,7 @@ impl Page {
         let mut onlooker = self.onlooker.clone().unwrap_or_else(start);
         match onlooker.controls().named(name) {
             Some(control) => control.set(value).map_err(|refused| refused.to_string())?,
-            None => return Err(format!("there is no control '{OUTSIDE}{name}'")),
+            None => return Err(unknown(&format!("{OUTSIDE}{name}"))),
         }
         self.onlooker = Some(onlooker);
         Ok(())
@@ -210,50 +190,147 @@ impl Page {
         changes
     }
 
+    /// A line for each change, and one for each control.
     fn state(&mut self) -> String {
-        let name = PROGRAMS[self.step].name;
-        let mut text = format!("step\t{}\t{name}\ncommand\tcargo run -p {name} --", self.step + 1);
-        for setting in self.setup.settings() {
-            let _ = write!(text, " --set {setting}");
-        }
-        text.push('\n');
+        let mut lines = String::new();
         for change in self.changes() {
-            let _ = writeln!(text, "change\t{change}");
+            let _ = writeln!(lines, "change\t{change}");
         }
         for setting in self.setup.list() {
             let Setting { name, group, text: value, fraction, takes, options, changed, .. } =
                 setting;
             let (options, changed) = (options.join("|"), u8::from(changed));
+            let group = translated(group);
             let _ = writeln!(
-                text,
+                lines,
                 "setting\t{name}\t{group}\t{value}\t{fraction}\t{takes}\t{options}\t{changed}"
             );
         }
-        text
-    }
-
-    /// The step now or the one before.
-    fn layer(&self, words: &mut Words<'_>) -> Result<&Setup, String> {
-        match words.word()? {
-            "now" => Ok(&self.setup),
-            "before" => self.before.as_ref().ok_or("there is no step before the first".to_owned()),
-            other => Err(format!("'{other}' is neither now nor before")),
-        }
+        lines
     }
 
     /// From where a picture of `setup` is taken.
     fn seen_from<'a>(&'a self, setup: &'a Setup) -> &'a View {
         self.onlooker.as_ref().unwrap_or(setup.view())
     }
+}
+
+impl Page {
+    /// Does what `command` says and tells what came of it.
+    ///
+    /// | command | what it does |
+    /// |---|---|
+    /// | `open N` | shows step N, 1 to 7, as it starts |
+    /// | `step N` | goes to step N and takes all changes along |
+    /// | `set NAME VALUE` | as `--set` does |
+    /// | `fraction NAME F` | moves a slider to F of its range |
+    /// | `nudge NAME STEPS` | moves a slider as a key does |
+    /// | `reset NAME`, `reset` | gives one control or all of them their first value back |
+    /// | `orbit RIGHT UP`, `zoom FACTOR` | moves the camera, or the onlooker if there is one |
+    /// | `outside on\|off` | sees the camera from outside, or as it is; `set outside.azimuth 20` |
+    /// | `drag WIDTH HEIGHT PLACE U V` | moves the handle that `grab` named to (u, v) |
+    /// | `figure NAME` and any of these from `set` to `drag` | does that to a figure |
+    /// | `language LOCALE` | from now on answers are in the language of `pt-BR` or `en` |
+    /// | `state` | the step, its controls, what is changed, and the program's command |
+    /// | `figure NAME state` | a figure's width and height, its controls, and what is changed |
+    /// | `explain WIDTH HEIGHT COL,ROW` | how that pixel comes by its colour |
+    /// | `grab WIDTH HEIGHT X Y REACH` | the handle that is there, if one is |
+    /// | `rows now\|before\|NAME WIDTH HEIGHT FIRST COUNT` | rows of the picture, three bytes a pixel |
+    /// | `show now\|before\|NAME WIDTH HEIGHT COLS ROWS TEXT PIXEL VECTORS HANDLES`, the picture's bytes below | that picture with COLS × ROWS pixels made WIDTH × HEIGHT, and what is drawn over it: four bytes a pixel |
+    ///
+    /// NAME is that of a figure, which a command has changed or asked for its state before. In `show`,
+    /// TEXT is the letters' height in pixels, PIXEL `COL,ROW` or `-`, and the last two
+    /// are 1 or 0.
+    ///
+    /// # Errors
+    ///
+    /// When it cannot be done: why, in one line. Then nothing changes.
+    pub fn answer(&mut self, command: &[u8]) -> Result<Vec<u8>, String> {
+        let end = command.iter().position(|byte| *byte == b'\n').unwrap_or(command.len());
+        let (line, bytes) = command.split_at(end);
+        let line = str::from_utf8(line).map_err(|_| text!("a command is text").to_owned())?;
+        let mut words = Words(line.split_whitespace());
+        match words.word()? {
+            "open" => {
+                self.step = words.step()?;
+                self.now = Scene::new(make(self.step));
+            }
+            "step" => {
+                self.step = words.step()?;
+                self.now.setup = self.now.setup.carried_to(make(self.step));
+            }
+            "figure" => return Ok(self.figure(&mut words)?.into_bytes()),
+            "language" => Language::of_locale(words.word()?).speak(),
+            "state" => return Ok(self.state().into_bytes()),
+            "explain" => return Ok(self.explain(&mut words)?.into_bytes()),
+            "grab" => return self.grab(&mut words),
+            "rows" => return self.rows(&mut words),
+            "show" => return self.show(&mut words, bytes.get(1..).unwrap_or_default()),
+            change => self.now.change(change, &mut words)?,
+        }
+        let before = self.step.checked_sub(1);
+        self.before = before.map(|before| self.now.setup.carried_to(make(before)));
+        Ok(Vec::new())
+    }
+
+    /// Changes a figure, or tells its size and what it holds now.
+    fn figure(&mut self, words: &mut Words<'_>) -> Result<String, String> {
+        let name = words.word()?;
+        if !self.figures.iter().any(|figure| figure.0 == name) {
+            let known = FIGURES.iter().find(|figure| figure.0 == name);
+            let (name, program) = known.ok_or_else(|| unknown(name))?;
+            let program = program();
+            self.figures.push((name, program.size, Scene::new(program.make)));
+        }
+        let figure = self.figures.iter_mut().find(|figure| figure.0 == name);
+        let (_, size, scene) = figure.ok_or_else(|| unknown(name))?;
+        match words.word()? {
+            "state" => {
+                let (width, height) = (size.width(), size.height());
+                Ok(format!("size\t{width}\t{height}\n{}", scene.state()))
+            }
+            change => scene.change(change, words).map(|()| String::new()),
+        }
+    }
+
+    fn state(&mut self) -> String {
+        let name = PROGRAMS[self.step].name;
+        let mut lines = format!("step\t{}\t{name}\ncommand\tcargo run -p {name} --", self.step + 1);
+        for setting in self.now.setup.settings() {
+            let _ = write!(lines, " --set {setting}");
+        }
+        lines.push('\n');
+        lines + &self.now.state()
+    }
+
+    /// The step now, the one before, or a figure; and from where it is seen.
+    fn layer(&self, words: &mut Words<'_>) -> Result<(&Setup, &Scene), String> {
+        match words.word()? {
+            "now" => Ok((&self.now.setup, &self.now)),
+            "before" => match &self.before {
+                Some(before) => Ok((before, &self.now)),
+                None => Err(text!("there is no step before this one").to_owned()),
+            },
+            name => match self.figures.iter().find(|figure| figure.0 == name) {
+                Some((_, _, scene)) => Ok((&scene.setup, scene)),
+                None => Err(unknown(name)),
+            },
+        }
+    }
 
     fn rows(&self, words: &mut Words<'_>) -> Result<Vec<u8>, String> {
-        let setup = self.layer(words)?;
+        let (setup, scene) = self.layer(words)?;
         let size = words.size()?;
         let (first, count): (usize, usize) = (words.number()?, words.number()?);
         if first.checked_add(count).is_none_or(|end| end > size.height()) {
-            return Err(format!("there are no {count} rows from {first} on in a {size} picture"));
+            return Err(text!(
+                "there are no {count} rows from {first} on in a picture of {size}",
+                count,
+                first,
+                size
+            ));
         }
-        let camera = self.seen_from(setup).camera(size.aspect());
+        let camera = scene.seen_from(setup).camera(size.aspect());
         let mut rgb = vec![0; 3 * size.width() * count];
         Frame { step: setup.step(), camera: &*camera, size, samples: 1 }
             .render_rows(first, &mut rgb);
@@ -264,16 +341,16 @@ impl Page {
     fn grab(&mut self, words: &mut Words<'_>) -> Result<Vec<u8>, String> {
         let size = words.size()?;
         let (x, y, reach) = (words.finite()?, words.finite()?, words.finite()?);
-        let handles = self.setup.points();
-        let camera = self.seen_from(&self.setup).camera(size.aspect());
-        let sight = Sight { step: self.setup.step(), camera: &*camera, area: area(size) };
+        let handles = self.now.setup.points();
+        let camera = self.now.seen_from(&self.now.setup).camera(size.aspect());
+        let sight = Sight { step: self.now.setup.step(), camera: &*camera, area: area(size) };
         let place = handle_at(&sight, &handles, (x, y), reach);
         Ok(place.map_or(String::new(), |place| place.to_string()).into_bytes())
     }
 
     fn show(&mut self, words: &mut Words<'_>, rgb: &[u8]) -> Result<Vec<u8>, String> {
-        let handles = self.setup.points();
-        let setup = self.layer(words)?;
+        let handles = self.now.setup.points();
+        let (setup, scene) = self.layer(words)?;
         let (size, drawn) = (words.size()?, words.size()?);
         let text_size: f32 = words.finite()?;
         let pixel = match words.word()? {
@@ -284,7 +361,7 @@ impl Page {
         let (cols, rows) = (drawn.width() as u32, drawn.height() as u32);
         let mut picture = RgbImage::from_raw(cols, rows, rgb.to_vec())
             .filter(|_| rgb.len() == 3 * drawn.width() * drawn.height())
-            .ok_or_else(|| format!("these are not the bytes of a {drawn} picture"))?;
+            .ok_or_else(|| text!("these are not the bytes of a picture of {drawn}", drawn))?;
         if size != drawn {
             let mut larger = RgbImage::new(size.width() as u32, size.height() as u32);
             Canvas::new(&mut larger).picture(&picture, area(size));
@@ -295,7 +372,8 @@ impl Page {
         let explanation = pixel.filter(|_| vectors).map(|pixel| step.explain(&*camera, pixel));
         let handles: &[Handle] = if handles_too { &handles } else { &[] };
         let mut canvas = Canvas::new(&mut picture);
-        if let Some(onlooker) = &self.onlooker {
+        step.draw_over(&*camera, &mut canvas);
+        if let Some(onlooker) = &scene.onlooker {
             let onlooker = onlooker.camera(size.aspect());
             let outside = Outside { step, view, onlooker: &*onlooker, area: area(size) };
             outside.draw(&mut canvas, explanation.as_ref(), handles, text_size);
@@ -309,8 +387,8 @@ impl Page {
     fn explain(&self, words: &mut Words<'_>) -> Result<String, String> {
         let size = words.size()?;
         let pixel = pixel_of(words.word()?, size)?;
-        let camera = self.setup.view().camera(size.aspect());
-        let explanation = self.setup.step().explain(&*camera, pixel);
+        let (view, step) = (self.now.setup.view(), self.now.setup.step());
+        let explanation = step.explain(&*view.camera(size.aspect()), pixel);
         Ok(lines(&explanation))
     }
 }
@@ -327,37 +405,42 @@ fn pixel_of(text: &str, size: Size) -> Result<Pixel, String> {
         text.split_once(',').and_then(|(col, row)| Some((col.parse().ok()?, row.parse().ok()?)));
     match numbers {
         Some((col, row)) if col < width && row < height => Ok(Pixel { col, row, width, height }),
-        _ => Err(format!("there is no pixel {text} in a {size} picture")),
+        _ => Err(text!("there is no pixel {text} in a picture of {size}", text, size)),
     }
 }
 
-/// A line for each section, group and line of `explanation`, and one for the colour that is seen.
+/// A line for each section, group and line of `explanation`, and one for the colour that is seen. What
+/// is shown is in the language that is spoken; what it is found by is not.
 fn lines(explanation: &Explanation) -> String {
     let texts = |value: &Value| value.texts().join("\t");
-    let mut text = String::new();
+    let mut lines = String::new();
     for section in &explanation.sections {
-        let _ = writeln!(text, "section\t{}", section.name);
+        let _ = writeln!(lines, "section\t{}\t{}", section.name, translated(section.name));
         for group in &section.groups {
             let outcome = match group.outcome {
                 Outcome::Told => String::new(),
-                Outcome::Missed(why, condition) => format!("{why}: {condition}"),
+                Outcome::Missed(why, condition) => {
+                    format!("{}: {}", translated(why), translated(condition))
+                }
                 Outcome::Closest(t) | Outcome::Farther(t) => {
                     format!("t ={}", Value::Number(t))
                 }
             };
-            let open = u8::from(group.is_open());
-            let _ = writeln!(text, "group\t{}\t{open}\t{outcome}", group.name);
+            let (name, open) = (group.name, u8::from(group.is_open()));
+            let shown = if name.is_empty() { "" } else { translated(name) };
+            let _ = writeln!(lines, "group\t{name}\t{shown}\t{open}\t{outcome}");
             for line in &group.lines {
                 let (symbol, value) = (line.symbol(), texts(&line.value));
                 let ink = symbol_ink(symbol).map_or(String::new(), |ink| {
                     let [r, g, b] = ink.rgb;
                     format!("#{r:02x}{g:02x}{b:02x}")
                 });
-                let _ = writeln!(text, "line\t{}\t{symbol}\t{ink}\t{value}", line.equation);
+                let (equation, shown) = (line.equation, translated(line.equation));
+                let _ = writeln!(lines, "line\t{equation}\t{shown}\t{symbol}\t{ink}\t{value}");
             }
         }
     }
     let [r, g, b] = encode(explanation.color);
-    let _ = writeln!(text, "seen\t{r}\t{g}\t{b}");
-    text
+    let _ = writeln!(lines, "seen\t{r}\t{g}\t{b}");
+    lines
 }

@@ -1,6 +1,4 @@
 //! «Geração de raios - paralela / perspectiva»: what is the same for all rays, and what is not.
-use std::process::ExitCode;
-
 use common::Figure;
 use common::Projection;
 use common::prelude::*;
@@ -58,7 +56,4 @@ fn figure() -> Figure<Seen> {
     })
 }
 
-fn main() -> ExitCode {
-    let concept = "One origin and many directions, or many origins and one direction";
-    common::figure(env!("CARGO_BIN_NAME"), concept, figure)
-}
+common::figure_main!(figure, "One origin and many directions, or many origins and one direction");

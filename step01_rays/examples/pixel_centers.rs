@@ -1,6 +1,4 @@
 //! «Mapeamento»: exactly where pixels are located, on a picture of 4 × 2.
-use std::process::ExitCode;
-
 use common::Figure;
 use common::Ink;
 use common::Sketch;
@@ -53,6 +51,4 @@ fn figure() -> Figure<Lesson> {
         .draw(draw)
 }
 
-fn main() -> ExitCode {
-    common::figure(env!("CARGO_BIN_NAME"), "Rays go through the middle of each pixel", figure)
-}
+common::figure_main!(figure, "Rays go through the middle of each pixel");

@@ -1,6 +1,4 @@
 //! «Raios»: eye, window and rays of both cameras, seen from outside.
-use std::process::ExitCode;
-
 use common::Figure;
 use common::Projection;
 use common::Sketch;
@@ -26,6 +24,4 @@ fn figure() -> Figure<Lesson> {
         .draw(draw(Projection::Parallel))
 }
 
-fn main() -> ExitCode {
-    common::figure(env!("CARGO_BIN_NAME"), "Eye, window and rays of both cameras", figure)
-}
+common::figure_main!(figure, "Eye, window and rays of both cameras");

@@ -1,6 +1,4 @@
 //! «Intersecção entre raio e esfera»: one root is where the ray goes in, the other where it leaves.
-use std::process::ExitCode;
-
 use common::Figure;
 use common::prelude::*;
 use common::told;
@@ -46,6 +44,4 @@ fn figure() -> Figure<Lesson> {
     panel(figure, "t₂ − t₁", |[t_1, t_2]| t_2 - t_1)
 }
 
-fn main() -> ExitCode {
-    common::figure(env!("CARGO_BIN_NAME"), "Both roots of the quadratic, and how far apart", figure)
-}
+common::figure_main!(figure, "Both roots of the quadratic, and how far apart");

@@ -1,6 +1,4 @@
 //! «Intersecção entre raio e esfera»: the discriminant tells how many solutions there are.
-use std::process::ExitCode;
-
 use common::Figure;
 use common::Ink;
 use common::Sketch;
@@ -35,6 +33,4 @@ fn figure() -> Figure<Lesson> {
         .panel("hit or miss", |_| ())
 }
 
-fn main() -> ExitCode {
-    common::figure(env!("CARGO_BIN_NAME"), "The discriminant over the picture", figure)
-}
+common::figure_main!(figure, "The discriminant over the picture");

@@ -1,7 +1,5 @@
 //! «Coordenadas baricêntricas»: each weight is the share that the area opposite its vertex has in
 //! the triangle.
-use std::process::ExitCode;
-
 use common::Figure;
 use common::Ink;
 use common::Sketch;
@@ -41,6 +39,4 @@ fn figure() -> Figure<Lesson> {
         .draw(draw)
 }
 
-fn main() -> ExitCode {
-    common::figure(env!("CARGO_BIN_NAME"), "The areas that α, β and γ measure", figure)
-}
+common::figure_main!(figure, "The areas that α, β and γ measure");

@@ -1,6 +1,4 @@
 //! «Coordenadas baricêntricas»: each weight is constant along lines parallel to one edge.
-use std::process::ExitCode;
-
 use common::Figure;
 use common::Ink;
 use common::Sketch;
@@ -36,6 +34,4 @@ fn figure() -> Figure<Lesson> {
     })
 }
 
-fn main() -> ExitCode {
-    common::figure(env!("CARGO_BIN_NAME"), "The lines of constant α, β and γ", figure)
-}
+common::figure_main!(figure, "The lines of constant α, β and γ");

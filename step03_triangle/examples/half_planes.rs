@@ -1,7 +1,5 @@
 //! «Intersecção entre raio e triângulo»: in its plane, a triangle is the intersection of three
 //! half-planes.
-use std::process::ExitCode;
-
 use common::Figure;
 use common::Ink;
 use common::Sketch;
@@ -49,6 +47,4 @@ fn figure() -> Figure<Lesson> {
     panels.into_iter().fold(figure, panel)
 }
 
-fn main() -> ExitCode {
-    common::figure(env!("CARGO_BIN_NAME"), "A triangle is where three half-planes meet", figure)
-}
+common::figure_main!(figure, "A triangle is where three half-planes meet");

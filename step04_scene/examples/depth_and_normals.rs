@@ -1,6 +1,4 @@
 //! «Intersecção de raios em software»: what an intersection record knows besides the colour.
-use std::process::ExitCode;
-
 use common::Figure;
 use common::prelude::*;
 use step04_scene::Lesson;
@@ -33,6 +31,4 @@ fn figure() -> Figure<Lesson> {
         .render(shown(|record| 0.5 + record.normal / 2.0))
 }
 
-fn main() -> ExitCode {
-    common::figure(env!("CARGO_BIN_NAME"), "Depth and normals of the scene", figure)
-}
+common::figure_main!(figure, "Depth and normals of the scene");

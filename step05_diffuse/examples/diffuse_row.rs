@@ -1,6 +1,4 @@
 //! «Tonalização difusa»: the larger k_d, the more light comes back, and all of it matte.
-use std::process::ExitCode;
-
 use common::Figure;
 use common::prelude::*;
 use step05_diffuse::Lesson;
@@ -23,6 +21,4 @@ fn figure() -> Figure<Lesson> {
     })
 }
 
-fn main() -> ExitCode {
-    common::figure(env!("CARGO_BIN_NAME"), "Spheres with growing k_d", figure)
-}
+common::figure_main!(figure, "Spheres with growing k_d");

@@ -1,6 +1,4 @@
 //! «Atenuação por distância»: light thins out with the square of the distance.
-use std::process::ExitCode;
-
 use common::Figure;
 use common::Ink;
 use common::Sketch;
@@ -55,6 +53,4 @@ fn figure() -> Figure<Lesson> {
         .draw(plot)
 }
 
-fn main() -> ExitCode {
-    common::figure(env!("CARGO_BIN_NAME"), "Twice the distance, a quarter of the light", figure)
-}
+common::figure_main!(figure, "Twice the distance, a quarter of the light");

@@ -1,6 +1,4 @@
 //! «Reflexão difusa»: the top of a cube, turned by 60°, intercepts half the light.
-use std::process::ExitCode;
-
 use common::Figure;
 use common::Ink;
 use common::Sketch;
@@ -82,7 +80,4 @@ fn figure() -> Figure<Lesson> {
         .draw(draw)
 }
 
-fn main() -> ExitCode {
-    let concept = "Light for each unit of area is proportional to cos θ = n·l";
-    common::figure(env!("CARGO_BIN_NAME"), concept, figure)
-}
+common::figure_main!(figure, "Light for each unit of area is proportional to cos θ = n·l");

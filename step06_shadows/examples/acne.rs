@@ -1,6 +1,4 @@
 //! «Sombras»: a shadow ray that starts on a surface hits that surface, unless it starts ε later.
-use std::process::ExitCode;
-
 use common::Figure;
 use step06_shadows::Lesson;
 
@@ -11,6 +9,4 @@ fn figure() -> Figure<Lesson> {
         .panel("with ε", |_| ())
 }
 
-fn main() -> ExitCode {
-    common::figure(env!("CARGO_BIN_NAME"), "Shadow acne, and the same with ε", figure)
-}
+common::figure_main!(figure, "Shadow acne, and the same with ε");

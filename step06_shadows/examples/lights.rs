@@ -1,6 +1,4 @@
 //! «Múltiplas luzes»: black shadows are not really right; four ways to light a scene.
-use std::process::ExitCode;
-
 use common::Figure;
 use common::prelude::*;
 use step06_shadows::Lesson;
@@ -35,6 +33,4 @@ fn figure() -> Figure<Lesson> {
         })
 }
 
-fn main() -> ExitCode {
-    common::figure(env!("CARGO_BIN_NAME"), "One light, two, ambient, a light at the camera", figure)
-}
+common::figure_main!(figure, "One light, two, ambient, a light at the camera");

@@ -1,6 +1,4 @@
 //! «Sombras»: which points see which light.
-use std::process::ExitCode;
-
 use common::Figure;
 use common::prelude::*;
 use step06_shadows::Lesson;
@@ -31,6 +29,4 @@ fn figure() -> Figure<Lesson> {
         .render(mask(&[0, 1]))
 }
 
-fn main() -> ExitCode {
-    common::figure(env!("CARGO_BIN_NAME"), "The shadow mask of each light", figure)
-}
+common::figure_main!(figure, "The shadow mask of each light");

@@ -1,6 +1,4 @@
 //! «Sombras»: a point is lit by a light that a ray from the point gets to.
-use std::process::ExitCode;
-
 use common::Figure;
 use common::Ink;
 use common::Sketch;
@@ -30,10 +28,4 @@ fn figure() -> Figure<Lesson> {
         .draw(|lesson, sketch| draw(lesson, sketch, 0.05, 1.8))
 }
 
-fn main() -> ExitCode {
-    common::figure(
-        env!("CARGO_BIN_NAME"),
-        "A shadow ray that meets the light, and one that does not",
-        figure,
-    )
-}
+common::figure_main!(figure, "A shadow ray that meets the light, and one that does not");

@@ -1,6 +1,4 @@
 //! «Tonalização difusa + especular»: the highlight lies on top of the matte sphere.
-use std::process::ExitCode;
-
 use common::Figure;
 use step07_specular::Lesson;
 
@@ -11,6 +9,4 @@ fn figure() -> Figure<Lesson> {
         .panel("diffuse + specular", |_| ())
 }
 
-fn main() -> ExitCode {
-    common::figure(env!("CARGO_BIN_NAME"), "Without and with the highlight", figure)
-}
+common::figure_main!(figure, "Without and with the highlight");

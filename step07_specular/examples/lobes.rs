@@ -1,6 +1,4 @@
 //! «Modelo Phong/Blinn-Phong»: increasing n narrows the lobe cosⁿα that a highlight is made of.
-use std::process::ExitCode;
-
 use common::Anchor;
 use common::Figure;
 use common::Ink;
@@ -55,6 +53,4 @@ fn figure() -> Figure<Lesson> {
         .draw(draw)
 }
 
-fn main() -> ExitCode {
-    common::figure(env!("CARGO_BIN_NAME"), "The larger n, the narrower the lobe cosⁿα", figure)
-}
+common::figure_main!(figure, "The larger n, the narrower the lobe cosⁿα");

@@ -1,6 +1,4 @@
 //! «Reflexão» and «Modelo Blinn-Phong»: the mirrored direction v_r, and h half way between v and l.
-use std::process::ExitCode;
-
 use common::Figure;
 use common::Sketch;
 use common::prelude::*;
@@ -32,6 +30,4 @@ fn figure() -> Figure<Lesson> {
         .draw(draw)
 }
 
-fn main() -> ExitCode {
-    common::figure(env!("CARGO_BIN_NAME"), "The mirrored direction, and the half vector", figure)
-}
+common::figure_main!(figure, "The mirrored direction, and the half vector");

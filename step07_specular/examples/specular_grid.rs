@@ -1,6 +1,4 @@
 //! «Tonalização especular»: k_s makes the highlight brighter, p makes it smaller.
-use std::process::ExitCode;
-
 use common::Figure;
 use common::prelude::*;
 use step07_specular::Lesson;
@@ -26,6 +24,4 @@ fn figure() -> Figure<Lesson> {
     figure
 }
 
-fn main() -> ExitCode {
-    common::figure(env!("CARGO_BIN_NAME"), "Spheres in a grid of k_s and p", figure)
-}
+common::figure_main!(figure, "Spheres in a grid of k_s and p");

@@ -1,6 +1,4 @@
 //! «Somando as contribuições»: L = L_a + L_d + L_s.
-use std::process::ExitCode;
-
 use common::Figure;
 use step07_specular::Lesson;
 
@@ -14,6 +12,4 @@ fn figure() -> Figure<Lesson> {
         .panel("L = L_a + L_d + L_s", |_| ())
 }
 
-fn main() -> ExitCode {
-    common::figure(env!("CARGO_BIN_NAME"), "The terms of the sum, and the sum", figure)
-}
+common::figure_main!(figure, "The terms of the sum, and the sum");

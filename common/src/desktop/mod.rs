@@ -12,8 +12,6 @@ use std::rc::Rc;
 
 use command_line::Suite;
 
-#[cfg(feature = "figures")]
-use crate::Figure;
 use crate::Program;
 use crate::Size;
 use crate::Step;
@@ -24,10 +22,11 @@ use crate::Step;
 /// 0 when all was done, 1 when it failed or a comparison found a difference, 2 for wrong usage.
 pub fn main<S: Step + Default + 'static>(name: &'static str, concept: &'static str) -> ExitCode {
     let make = Rc::new(|| Box::new(S::default()) as Box<dyn Step>);
-    step(Program::new(name, concept, Size::DEFAULT, make))
+    run(Program::new(name, concept, Size::DEFAULT, make))
 }
 
-fn step(program: Program) -> ExitCode {
+/// The same for a program that is there, such as [a figure](crate::figure_main).
+pub fn run(program: Program) -> ExitCode {
     let Program { name, concept, .. } = program;
     command_line::run(&Suite { name, concept, programs: vec![program], page: None })
 }
@@ -43,14 +42,4 @@ pub fn lecture(
     page: fn() -> anyhow::Result<String>,
 ) -> ExitCode {
     command_line::run(&Suite { name, concept, programs, page: Some(page) })
-}
-
-/// What an example's `main` runs: a step's program, for a figure of that step.
-#[cfg(feature = "figures")]
-pub fn figure<L: Step + Clone + 'static>(
-    name: &'static str, concept: &'static str, figure: fn() -> Figure<L>,
-) -> ExitCode {
-    let make = Rc::new(move || Box::new(figure()) as Box<dyn Step>);
-    let program = Program::new(name, concept, figure().size(), make);
-    step(Program { is_figure: true, ..program })
 }

@@ -3,6 +3,7 @@
 mod sketch;
 
 use std::ops::RangeInclusive;
+use std::rc::Rc;
 
 use crate::Anchor;
 use crate::Area;
@@ -15,6 +16,7 @@ use crate::Font;
 use crate::Image;
 use crate::Ink;
 use crate::Pixel;
+use crate::Program;
 use crate::Ray;
 use crate::Sight;
 use crate::Size;
@@ -94,6 +96,35 @@ pub fn told<const N: usize, T>(
         *number = value;
     }
     Some(numbers)
+}
+
+/// Makes a figure's file a program: names what makes the figure, and says what it shows.
+#[macro_export]
+macro_rules! figure_main {
+    ($figure:ident, $concept:literal) => {
+        /// The figure as a program.
+        pub(crate) fn program() -> $crate::Program {
+            $crate::Program::figure(module_path!(), $concept, $figure)
+        }
+
+        #[cfg(feature = "desktop")]
+        #[allow(dead_code, reason = "on the web page, a figure is no program of its own")]
+        fn main() -> std::process::ExitCode {
+            $crate::run(program())
+        }
+    };
+}
+
+impl Program {
+    /// The figure that `figure` makes, called as the last part of `path` is.
+    #[doc(hidden)]
+    pub fn figure<L: Step + Clone + 'static>(
+        path: &'static str, concept: &'static str, figure: fn() -> Figure<L>,
+    ) -> Self {
+        let name = path.rsplit("::").next().unwrap_or(path);
+        let make = Rc::new(move || Box::new(figure()) as Box<dyn Step>);
+        Self { is_figure: true, ..Self::new(name, concept, figure().size(), make) }
+    }
 }
 
 impl<L: Step + Clone> Figure<L> {
