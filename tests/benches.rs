@@ -13,15 +13,15 @@ use common::Wanted;
 use divan::Bencher;
 use divan::black_box;
 use image::RgbImage;
-use step07_specular::intersection::IntersectionRecord;
-use step07_specular::light::PointLight;
-use step07_specular::material::Material;
-use step07_specular::scene::Object;
-use step07_specular::scene::Scene;
-use step07_specular::scene::lecture_scene;
-use step07_specular::sphere::Sphere;
-use step07_specular::surface::Surface;
-use step07_specular::triangle::Triangle;
+use lecture::step07_specular::intersection::IntersectionRecord;
+use lecture::step07_specular::light::PointLight;
+use lecture::step07_specular::material::Material;
+use lecture::step07_specular::scene::Object;
+use lecture::step07_specular::scene::Scene;
+use lecture::step07_specular::scene::lecture_scene;
+use lecture::step07_specular::sphere::Sphere;
+use lecture::step07_specular::surface::Surface;
+use lecture::step07_specular::triangle::Triangle;
 use tests::prelude::*;
 
 fn main() {

@@ -13,6 +13,7 @@ use common::Silent;
 use common::Step;
 use common::Value;
 use common::Vec3;
+use lecture::*;
 
 /// How far the closed forms may be off. Their numbers stay below 16, and one that is the result
 /// of a handful of operations is off by a handful of halves of the last bit of 16.
@@ -112,7 +113,7 @@ impl Default for World {
     }
 }
 
-/// Every step, 01 to 07.
+/// Every step.
 pub trait Package: Step + Clone + Default {
     /// The step's package.
     const NAME: &'static str;
@@ -124,7 +125,7 @@ pub trait Package: Step + Clone + Default {
     fn render_loop(camera: &dyn Camera, image: &mut Image<'_>, trace: &dyn Fn(&Ray) -> Color);
 }
 
-/// The steps with spheres, 02 to 07.
+/// The steps with spheres, from 02 on.
 pub trait Spheres: Package {
     /// The first hit with t_min < t < t_max.
     fn sphere(ball: Ball, ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit>;
@@ -133,7 +134,7 @@ pub trait Spheres: Package {
     fn explain_sphere(ball: Ball, ray: &Ray) -> Explanation;
 }
 
-/// The steps with triangles, 03 to 07.
+/// The steps with triangles, from 03 on.
 pub trait Triangles: Spheres {
     /// The hit with t_min < t < t_max.
     fn triangle(abc: [Vec3; 3], ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit>;
@@ -157,7 +158,7 @@ pub fn number(explanation: &Explanation, symbol: &str) -> Option<f32> {
     }
 }
 
-/// The steps with scenes, 04 to 07.
+/// The steps with scenes, from 04 on.
 pub trait Scenes: Triangles {
     /// The step's own type.
     type Scene;
@@ -172,10 +173,10 @@ pub trait Scenes: Triangles {
     fn trace(scene: &Self::Scene, ray: &Ray) -> Color;
 }
 
-/// The steps with light, 05 to 07.
+/// The steps with light, from 05 on.
 pub trait Lights: Scenes {}
 
-/// The steps with shadows, 06 and 07.
+/// The steps with shadows, from 06 on.
 pub trait Shadows: Lights {
     /// Whether a light at `position` is seen from `point`.
     fn is_visible(scene: &Self::Scene, position: Vec3, point: Vec3) -> bool;
@@ -183,17 +184,15 @@ pub trait Shadows: Lights {
 
 macro_rules! packages {
     ($($step:ident)*) => { $(
-        impl $crate::every_step::Package for $step::Lesson {
+        impl Package for $step::Lesson {
             const NAME: &'static str = stringify!($step);
 
-            fn pixel_center(pixel: ::common::Pixel) -> (f32, f32) {
+            fn pixel_center(pixel: Pixel) -> (f32, f32) {
                 $step::render::pixel_center(pixel)
             }
 
             fn render_loop(
-                camera: &dyn ::common::Camera,
-                image: &mut ::common::Image<'_>,
-                trace: &dyn Fn(&::common::Ray) -> ::common::Color,
+                camera: &dyn Camera, image: &mut Image<'_>, trace: &dyn Fn(&Ray) -> Color,
             ) {
                 $step::render::render(camera, image, trace);
             }
@@ -201,7 +200,7 @@ macro_rules! packages {
     )* };
 }
 
-pub(crate) use packages;
+steps!(packages);
 
 /// A step's record as a [`Hit`].
 macro_rules! hit {
@@ -220,7 +219,7 @@ macro_rules! told {
 }
 
 macro_rules! spheres {
-    ($($step:ident)*) => { $(
+    ($_01:ident $($step:ident)*) => { $(
         impl Spheres for $step::Lesson {
             fn sphere(ball: Ball, ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit> {
                 let sphere = $step::sphere::Sphere { center: ball.center, radius: ball.radius };
@@ -235,10 +234,10 @@ macro_rules! spheres {
     )* };
 }
 
-spheres!(step02_sphere step03_triangle step04_scene step05_diffuse step06_shadows step07_specular);
+steps!(spheres);
 
 macro_rules! triangles {
-    ($($step:ident)*) => { $(
+    ($_01:ident $_02:ident $($step:ident)*) => { $(
         impl Triangles for $step::Lesson {
             fn triangle(abc: [Vec3; 3], ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit> {
                 let triangle = $step::triangle::Triangle::new(abc);
@@ -253,7 +252,7 @@ macro_rules! triangles {
     )* };
 }
 
-triangles!(step03_triangle step04_scene step05_diffuse step06_shadows step07_specular);
+steps!(triangles);
 
 /// `$material` makes the step's material of a [`Paint`], `$k_d` gets its diffuse share back, and
 /// `$light` puts the lights of a [`World`] into its scene.
@@ -323,14 +322,14 @@ scenes! {
     step04_scene,
     |paint: &Paint| paint.k_d,
     |material: Color| material,
-    |_: &mut step04_scene::scene::Scene, _: &World| (),
+    |_: &mut lecture::step04_scene::scene::Scene, _: &World| (),
 }
 
 scenes! {
     step05_diffuse,
-    |paint: &Paint| step05_diffuse::material::Material { k_d: paint.k_d },
-    |material: step05_diffuse::material::Material| material.k_d,
-    |scene: &mut step05_diffuse::scene::Scene, world: &World| {
+    |paint: &Paint| lecture::step05_diffuse::material::Material { k_d: paint.k_d },
+    |material: lecture::step05_diffuse::material::Material| material.k_d,
+    |scene: &mut lecture::step05_diffuse::scene::Scene, world: &World| {
         let none = Light::new(Vec3::ZERO, 0.0);
         scene.light = point_light!(step05_diffuse, world.lights.first().unwrap_or(&none));
     },
@@ -338,34 +337,49 @@ scenes! {
 
 scenes! {
     step06_shadows,
-    |paint: &Paint| step06_shadows::material::Material { k_a: paint.k_a, k_d: paint.k_d },
-    |material: step06_shadows::material::Material| material.k_d,
-    |scene: &mut step06_shadows::scene::Scene, world: &World| {
+    |paint: &Paint| lecture::step06_shadows::material::Material { k_a: paint.k_a, k_d: paint.k_d },
+    |material: lecture::step06_shadows::material::Material| material.k_d,
+    |scene: &mut lecture::step06_shadows::scene::Scene, world: &World| {
         many_lights!(step06_shadows, scene, world);
     },
 }
 
-scenes! {
-    step07_specular,
-    |paint: &Paint| step07_specular::material::Material {
-        k_a: paint.k_a,
-        k_d: paint.k_d,
-        k_s: paint.k_s,
-        exponent: paint.exponent,
-        phong: paint.phong,
-    },
-    |material: step07_specular::material::Material| material.k_d,
-    |scene: &mut step07_specular::scene::Scene, world: &World| {
-        many_lights!(step07_specular, scene, world);
-    },
+/// The steps from 07 on: the floor has nothing of what they add to a material.
+macro_rules! later_scenes {
+    ($_01:ident $_02:ident $_03:ident $_04:ident $_05:ident $_06:ident $($step:ident)*) => { $(
+        scenes! {
+            $step,
+            |paint: &Paint| {
+                let lecture = $step::scene::lecture_scene();
+                let mut floor = lecture.objects.into_iter().filter(|object| object.name == "floor");
+                let mut material = floor.next().expect("the lecture's scene has a floor").material;
+                material.k_a = paint.k_a;
+                material.k_d = paint.k_d;
+                material.k_s = paint.k_s;
+                material.exponent = paint.exponent;
+                material.phong = paint.phong;
+                material
+            },
+            |material: $step::material::Material| material.k_d,
+            |scene: &mut $step::scene::Scene, world: &World| {
+                many_lights!($step, scene, world);
+            },
+        }
+    )* };
 }
 
-impl Lights for step05_diffuse::Lesson {}
-impl Lights for step06_shadows::Lesson {}
-impl Lights for step07_specular::Lesson {}
+steps!(later_scenes);
+
+macro_rules! lights {
+    ($_01:ident $_02:ident $_03:ident $_04:ident $($step:ident)*) => {
+        $(impl Lights for $step::Lesson {})*
+    };
+}
+
+steps!(lights);
 
 macro_rules! shadows {
-    ($($step:ident)*) => { $(
+    ($_01:ident $_02:ident $_03:ident $_04:ident $_05:ident $($step:ident)*) => { $(
         impl Shadows for $step::Lesson {
             fn is_visible(scene: &Self::Scene, position: Vec3, point: Vec3) -> bool {
                 let light = point_light!($step, Light::new(position, 1.0));
@@ -375,33 +389,33 @@ macro_rules! shadows {
     )* };
 }
 
-shadows!(step06_shadows step07_specular);
+steps!(shadows);
 
 /// Makes a test of each check, a function that is generic over the step, for every step that has
 /// the thing checked: `checks!(spheres { one, another })` gives `spheres::step02_sphere::one` …
 #[macro_export]
 macro_rules! checks {
-    (packages $checks:tt) => {
-        $crate::checks!(@ packages $checks step01_rays step02_sphere step03_triangle step04_scene
-            step05_diffuse step06_shadows step07_specular);
+    ($thing:ident $checks:tt) => {
+        ::lecture::steps!($crate::checks, @from $thing $checks);
     };
-    (spheres $checks:tt) => {
-        $crate::checks!(@ spheres $checks step02_sphere step03_triangle step04_scene
-            step05_diffuse step06_shadows step07_specular);
+    (@from packages $checks:tt $($step:ident)*) => {
+        $crate::checks!(@ packages $checks $($step)*);
     };
-    (triangles $checks:tt) => {
-        $crate::checks!(@ triangles $checks step03_triangle step04_scene step05_diffuse
-            step06_shadows step07_specular);
+    (@from spheres $checks:tt $_01:ident $($step:ident)*) => {
+        $crate::checks!(@ spheres $checks $($step)*);
     };
-    (scenes $checks:tt) => {
-        $crate::checks!(@ scenes $checks step04_scene step05_diffuse step06_shadows
-            step07_specular);
+    (@from triangles $checks:tt $_01:ident $_02:ident $($step:ident)*) => {
+        $crate::checks!(@ triangles $checks $($step)*);
     };
-    (lights $checks:tt) => {
-        $crate::checks!(@ lights $checks step05_diffuse step06_shadows step07_specular);
+    (@from scenes $checks:tt $_01:ident $_02:ident $_03:ident $($step:ident)*) => {
+        $crate::checks!(@ scenes $checks $($step)*);
     };
-    (shadows $checks:tt) => {
-        $crate::checks!(@ shadows $checks step06_shadows step07_specular);
+    (@from lights $checks:tt $_01:ident $_02:ident $_03:ident $_04:ident $($step:ident)*) => {
+        $crate::checks!(@ lights $checks $($step)*);
+    };
+    (@from shadows $checks:tt $_01:ident $_02:ident $_03:ident $_04:ident $_05:ident
+        $($step:ident)*) => {
+        $crate::checks!(@ shadows $checks $($step)*);
     };
     (@ $thing:ident $checks:tt $($step:ident)*) => {
         mod $thing {
@@ -414,7 +428,7 @@ macro_rules! checks {
                 #[test]
                 $(#[$attribute])*
                 fn $check() {
-                    super::super::$check::<::$step::Lesson>();
+                    super::super::$check::<::lecture::$step::Lesson>();
                 }
             )*
         }

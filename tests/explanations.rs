@@ -158,7 +158,7 @@ impl<S: Package> Sheet<'_, S> {
             one(x("t₀") + part, x("t₀").abs() + part.abs())
         };
         let material = || {
-            let scene = step07_specular::scene::lecture_scene();
+            let scene = lecture::step07_specular::scene::lecture_scene();
             let name = self.closest.expect("a hit").3;
             scene.objects.into_iter().find(|object| object.name == name).expect("one").material
         };

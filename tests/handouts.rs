@@ -476,13 +476,13 @@ fn every_line_to_be_changed_is_in_the_code() {
     none(wrong);
 }
 
-/// What is a step is said once, in `lib.rs` of these tests; folders and the README follow.
+/// What is a step is said once, in `steps!` of the lecture; folders and the README follow.
 #[test]
 fn steps_are_the_same_everywhere() {
     let mut folders: Vec<_> =
         files(root()).into_iter().filter_map(|name| name.into_string().ok()).collect();
     folders.retain(|name| name.starts_with("step") && root().join(name).is_dir());
-    assert_eq!(folders, STEPS, "the folders, and the list of steps in tests/lib.rs");
+    assert_eq!(folders, STEPS, "the folders, and steps! in lecture/src/lib.rs");
     for readme in ["README.md", "README.pt-BR.md"] {
         let readme = Readme::read(Path::new(readme));
         let links = readme.parts.iter().filter_map(|part| match part {

@@ -36,34 +36,30 @@ use image::RgbImage;
 use image::codecs::png::CompressionType;
 use image::codecs::png::FilterType;
 use image::codecs::png::PngEncoder;
+use lecture::PROGRAMS;
 
 /// Whether a window needs a display that can be taken away from a program, which then writes its
 /// picture to a file. Elsewhere it would open a window and wait for its user.
 pub const X11: bool = cfg!(all(unix, not(target_os = "macos")));
 
-macro_rules! steps {
-    ($($step:ident)*) => {
-        /// The packages of the steps, in order.
-        pub const STEPS: [&str; [$(stringify!($step)),*].len()] = [$(stringify!($step)),*];
+/// The packages of the steps, in order.
+pub const STEPS: [&str; PROGRAMS.len()] = {
+    let mut names = [""; PROGRAMS.len()];
+    let mut index = 0;
+    while index < names.len() {
+        names[index] = PROGRAMS[index].name;
+        index += 1;
+    }
+    names
+};
 
-        /// A step as it starts, by its index in [`STEPS`].
-        ///
-        /// # Panics
-        ///
-        /// When there is no such step.
-        pub fn step(index: usize) -> Box<dyn Step> {
-            let new: [fn() -> Box<dyn Step>; STEPS.len()] =
-                [$(|| Box::new($step::Lesson::default())),*];
-            new[index]()
-        }
-
-        every_step::packages!($($step)*);
-    };
-}
-
-steps! {
-    step01_rays step02_sphere step03_triangle step04_scene step05_diffuse step06_shadows
-    step07_specular
+/// A step as it starts, by its index in [`STEPS`].
+///
+/// # Panics
+///
+/// When there is no such step.
+pub fn step(index: usize) -> Box<dyn Step> {
+    (PROGRAMS[index].make)()
 }
 
 /// What `step` shows from `view`, with one ray a pixel.
@@ -181,7 +177,7 @@ pub fn hold_picture(
 }
 
 /// The folder of the built programs: those of all steps are built when it is first asked for.
-static PROGRAMS: LazyLock<PathBuf> = LazyLock::new(|| {
+static BUILT: LazyLock<PathBuf> = LazyLock::new(|| {
     // This test runs from target/PROFILE/deps.
     let test = std::env::current_exe().expect("the test has a path");
     let profile = test.parent().and_then(Path::parent).expect("target/PROFILE/deps");
@@ -197,7 +193,7 @@ static PROGRAMS: LazyLock<PathBuf> = LazyLock::new(|| {
 
 /// The built program of a step, or one of its examples as `examples/NAME`.
 pub fn program(name: &str) -> PathBuf {
-    PROGRAMS.join(name).with_extension(std::env::consts::EXE_EXTENSION)
+    BUILT.join(name).with_extension(std::env::consts::EXE_EXTENSION)
 }
 
 /// A step's program, to be run in `folder` with no display, as far as there is [`X11`]; the folder is

@@ -88,34 +88,35 @@ fn same_whatever_is_set<A: Package, B: Package>(later: &A, earlier: &B, why: &st
 
 #[test]
 fn step07_without_k_s_is_step06() {
-    let mut later = step07_specular::Lesson::default();
+    let mut later = lecture::step07_specular::Lesson::default();
     later.scene.objects.iter_mut().for_each(|object| object.material.k_s = 0.0);
-    let earlier = step06_shadows::Lesson::default();
+    let earlier = lecture::step06_shadows::Lesson::default();
     same_whatever_is_set(&later, &earlier, "with k_s = 0 every L_s is 0: L = L_a + the sum of L_d");
 }
 
 #[test]
 fn step07_without_l_s_is_step06() {
-    let mut later = step07_specular::Lesson::default();
+    let mut later = lecture::step07_specular::Lesson::default();
     later.scene.weights[2] = 0.0;
-    let earlier = step06_shadows::Lesson::default();
+    let earlier = lecture::step06_shadows::Lesson::default();
     same_whatever_is_set(&later, &earlier, "the weight of L_s is 0: L = L_a + the sum of L_d");
 }
 
 #[test]
 fn step06_with_one_light_and_no_shadow_is_step05() {
-    let mut later = step06_shadows::Lesson::default();
+    let mut later = lecture::step06_shadows::Lesson::default();
     later.scene.ambient = 0.0;
     later.scene.lit = 1;
     later.scene.shadows = false;
-    let earlier = step05_diffuse::Lesson::default();
+    let earlier = lecture::step05_diffuse::Lesson::default();
     let why = "no ambient light, the key light alone and nothing in its way: L = L_d";
     same_whatever_is_set(&later, &earlier, why);
 }
 
 #[test]
 fn step05_with_its_light_divided_out_is_step04() {
-    let (later, earlier) = (step05_diffuse::Lesson::default(), step04_scene::Lesson::default());
+    let (later, earlier) =
+        (lecture::step05_diffuse::Lesson::default(), lecture::step04_scene::Lesson::default());
     for view in views(&later) {
         let flat = colors(&earlier, &view);
         let lit: Vec<Color> = explanations(&later, &view)
@@ -131,7 +132,11 @@ fn step05_with_its_light_divided_out_is_step04() {
             })
             .collect();
         let why = "L_d = k_d (I/r²) max(0, n·l), and k_d is step 04's flat colour";
-        same::<step05_diffuse::Lesson, step04_scene::Lesson>(&colors(&later, &view), &lit, why);
+        same::<lecture::step05_diffuse::Lesson, lecture::step04_scene::Lesson>(
+            &colors(&later, &view),
+            &lit,
+            why,
+        );
     }
 }
 
@@ -154,19 +159,19 @@ fn same_rays_and_hits<A: Package, B: Package>(
 
 #[test]
 fn steps_04_to_07_hit_the_same() {
-    let first = step04_scene::Lesson::default();
+    let first = lecture::step04_scene::Lesson::default();
     for view in views(&first) {
-        same_rays_and_hits(&step05_diffuse::Lesson::default(), &first, &view, 2);
-        same_rays_and_hits(&step06_shadows::Lesson::default(), &first, &view, 2);
-        same_rays_and_hits(&step07_specular::Lesson::default(), &first, &view, 2);
+        same_rays_and_hits(&lecture::step05_diffuse::Lesson::default(), &first, &view, 2);
+        same_rays_and_hits(&lecture::step06_shadows::Lesson::default(), &first, &view, 2);
+        same_rays_and_hits(&lecture::step07_specular::Lesson::default(), &first, &view, 2);
     }
 }
 
 #[test]
 fn step04_with_one_triangle_covers_what_step03_does() {
-    let earlier = step03_triangle::Lesson::default();
-    let later = step04_scene::Lesson {
-        scene: step04_scene::Lesson::scene(&World {
+    let earlier = lecture::step03_triangle::Lesson::default();
+    let later = lecture::step04_scene::Lesson {
+        scene: lecture::step04_scene::Lesson::scene(&World {
             triangles: vec![(earlier.vertices, Paint::matte(Color::ONE))],
             ..World::default()
         }),
@@ -178,7 +183,7 @@ fn step04_with_one_triangle_covers_what_step03_does() {
             .map(|weights| if weights == Color::ZERO { Color::ZERO } else { Color::ONE })
             .collect();
         let why = "its triangle is all there is, in white";
-        same::<step04_scene::Lesson, step03_triangle::Lesson>(
+        same::<lecture::step04_scene::Lesson, lecture::step03_triangle::Lesson>(
             &colors(&later, &view),
             &covered,
             why,
@@ -188,10 +193,10 @@ fn step04_with_one_triangle_covers_what_step03_does() {
 
 #[test]
 fn step04_with_the_unit_sphere_is_step02() {
-    let earlier = step02_sphere::Lesson::default();
+    let earlier = lecture::step02_sphere::Lesson::default();
     let ball = Ball { center: Vec3::ZERO, radius: 1.0 };
-    let later = step04_scene::Lesson {
-        scene: step04_scene::Lesson::scene(&World {
+    let later = lecture::step04_scene::Lesson {
+        scene: lecture::step04_scene::Lesson::scene(&World {
             spheres: vec![(ball, Paint::matte(Color::ONE))],
             ..World::default()
         }),
@@ -199,14 +204,17 @@ fn step04_with_the_unit_sphere_is_step02() {
     for view in views(&earlier) {
         let why = "the slide's white unit sphere on black is all there is";
         let (later, earlier) = (colors(&later, &view), colors(&earlier, &view));
-        same::<step04_scene::Lesson, step02_sphere::Lesson>(&later, &earlier, why);
+        same::<lecture::step04_scene::Lesson, lecture::step02_sphere::Lesson>(
+            &later, &earlier, why,
+        );
     }
 }
 
 #[test]
 fn steps_02_and_03_cast_the_rays_of_step01() {
-    let first = step01_rays::Lesson::default();
-    let (second, third) = (step02_sphere::Lesson::default(), step03_triangle::Lesson::default());
+    let first = lecture::step01_rays::Lesson::default();
+    let (second, third) =
+        (lecture::step02_sphere::Lesson::default(), lecture::step03_triangle::Lesson::default());
     assert_eq!(second.view(), first.view(), "step 02 keeps the view of step 01");
     assert_eq!(third.view(), first.view(), "step 03 keeps the view of step 01");
     for view in views(&first) {

@@ -2,14 +2,14 @@
 
 use std::rc::Rc;
 
+use lecture::step07_specular::Lesson;
+use lecture::step07_specular::light::PointLight;
+use lecture::step07_specular::scene::Object;
+use lecture::step07_specular::sphere::Sphere;
+use lecture::step07_specular::surface::Surface;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::Index;
-use step07_specular::Lesson;
-use step07_specular::light::PointLight;
-use step07_specular::scene::Object;
-use step07_specular::sphere::Sphere;
-use step07_specular::surface::Surface;
 use tests::prelude::*;
 
 /// What is done with a setup, by hand.

@@ -1,8 +1,8 @@
 //! Highlights, which only the last step has.
 
-use step07_specular::Lesson as Specular;
-use step07_specular::material::blinn_phong;
-use step07_specular::material::phong;
+use lecture::step07_specular::Lesson as Specular;
+use lecture::step07_specular::material::blinn_phong;
+use lecture::step07_specular::material::phong;
 use tests::every_step::TOLERANCE;
 use tests::every_step::within;
 use tests::prelude::*;

@@ -27,12 +27,12 @@ use common::marks;
 use common::symbol_ink;
 use image::Rgb;
 use image::RgbImage;
+use lecture::step07_specular::Lesson;
 use proptest::prelude::any;
 use proptest::prop_assert;
 use proptest::prop_assert_eq;
 use proptest::proptest;
 use proptest::strategy::Strategy;
-use step07_specular::Lesson;
 use tests::STEPS;
 use tests::chance::config;
 use tests::hold_picture;
@@ -438,7 +438,7 @@ fn lights_and_objects_may_be_anywhere_or_nowhere() {
     empty.scene.objects.clear();
     survives(&empty, &[]);
     for vertices in [[Vec3::ONE; 3], [Vec3::ZERO, Vec3::X, Vec3::X]] {
-        survives(&step03_triangle::Lesson { vertices, shown: Vec3::ONE }, &[]);
+        survives(&lecture::step03_triangle::Lesson { vertices, shown: Vec3::ONE }, &[]);
     }
 }
 

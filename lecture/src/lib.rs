@@ -1,6 +1,6 @@
-//! The whole class at once: all seven steps behind one door.
+//! The whole class at once: all steps behind one door.
 //!
-//! [`PROGRAMS`] is the only place that names them all. [`Page`] answers a browser; what it is asked
+//! [`steps!`] is the only place that names them all. [`Page`] answers a browser; what it is asked
 //! comes from `page/page.js`, through the three functions of `exports.rs`.
 
 #[cfg(target_family = "wasm")]
@@ -39,31 +39,57 @@ pub struct Program {
     pub diff: &'static str,
 }
 
+/// Hands the steps' names, in the order of the lecture, to a macro: `steps!(the_macro)`, or with
+/// something before them `steps!(the_macro, something)`. This is the only list of them in the code.
+#[macro_export]
+macro_rules! steps {
+    ($to:path $(, $($before:tt)*)?) => {
+        $to! {
+            $($($before)*)?
+            step01_rays
+            step02_sphere
+            step03_triangle
+            step04_scene
+            step05_diffuse
+            step06_shadows
+            step07_specular
+        }
+    };
+}
+
 macro_rules! programs {
-    ($($step:ident $diff:expr),*) => {
+    ($first:ident $($step:ident)*) => {
+        pub use $first;
+        $(pub use $step;)*
+
         /// The steps, in the order of the lecture.
-        pub const PROGRAMS: [Program; [$(stringify!($step)),*].len()] = [$(Program {
+        pub const PROGRAMS: [Program; 1 + [$(stringify!($step)),*].len()] = [
+            program!($first, ""),
+            $(program!($step, include_str!(concat!("../../tests/diffs/", stringify!($step), ".diff")))),*
+        ];
+    };
+}
+
+macro_rules! program {
+    ($step:ident, $diff:expr) => {
+        Program {
             name: stringify!($step),
             make: || Box::new($step::Lesson::default()),
             #[cfg(feature = "desktop")]
             handout: include_str!(concat!("../../", stringify!($step), "/README.md")),
             #[cfg(feature = "desktop")]
-            handout_in_portuguese: include_str!(concat!("../../", stringify!($step), "/README.pt-BR.md")),
+            handout_in_portuguese: include_str!(concat!(
+                "../../",
+                stringify!($step),
+                "/README.pt-BR.md"
+            )),
             #[cfg(feature = "desktop")]
             diff: $diff,
-        }),*];
+        }
     };
 }
 
-programs! {
-    step01_rays "",
-    step02_sphere include_str!("../../tests/diffs/step02_sphere.diff"),
-    step03_triangle include_str!("../../tests/diffs/step03_triangle.diff"),
-    step04_scene include_str!("../../tests/diffs/step04_scene.diff"),
-    step05_diffuse include_str!("../../tests/diffs/step05_diffuse.diff"),
-    step06_shadows include_str!("../../tests/diffs/step06_shadows.diff"),
-    step07_specular include_str!("../../tests/diffs/step07_specular.diff")
-}
+steps!(programs);
 
 /// The steps as programs of one window, with what their handouts say in short and their diffs.
 #[cfg(feature = "desktop")]
