@@ -183,7 +183,8 @@ fn build(root: &Path) -> Result<PathBuf> {
         }
         None if has_target() => Command::new(cargo),
         None => {
-            bail!(text!("Rust cannot build for a browser yet: rustup target add {TARGET}", TARGET))
+            let command = format!("rustup target add {TARGET}");
+            bail!(text!("Rust cannot build for a browser yet: {command}", command))
         }
     };
     build.current_dir(root).args(["rustc", "--quiet", "-p", "lecture", "--lib"]);
