@@ -57,6 +57,17 @@ fn show(browser: &Browser, address: &str) {
     browser.wait_for(DRAWN);
 }
 
+/// Opens all that is folded, and makes all figures live.
+fn unfold(browser: &Browser) {
+    browser.run(
+        "for (const folded of document.querySelectorAll('details')) folded.open = true;
+        for (const place of document.querySelectorAll('article:not([hidden]) [data-figure]')) {
+            if (!figures.has(place)) figures.set(place, new Figure(place));
+            figures.get(place).refresh();
+        }",
+    );
+}
+
 fn quiet(browser: &Browser) {
     assert_eq!(browser.complaints(), Vec::<String>::new());
 }
@@ -385,6 +396,26 @@ fn the_divider_shows_the_step_before() {
     let (count, most) = differences(&read_picture(&path), &browser.canvas("#before"));
     assert!(count <= 90 && most <= 1, "{count} channels, by up to {most}");
     assert_eq!(browser.text("return $('before').style.clipPath"), "inset(0px 75% 0px 0px)");
+    browser.run("$('divider').value = 0.5; $('divider').dispatchEvent(new Event('input'))");
+    assert_eq!(browser.text("return $('before').style.clipPath"), "inset(0px 50% 0px 0px)");
+
+    // All of it as long as the button is held.
+    browser.run("$('divide').click()");
+    let place = browser.run(
+        "const { left, top } = $('hold').getBoundingClientRect(); return [left, top].map((side) => Math.round(side) + 5)",
+    );
+    let hand = |actions: Value| {
+        let kind = json!({"pointerType": "mouse"});
+        browser.act(
+            &json!([{"type": "pointer", "id": "hand", "parameters": kind, "actions": actions}]),
+        );
+        browser.wait_for(DRAWN);
+        browser.run("return [$('before').hidden, $('before').style.clipPath]")
+    };
+    let there = json!({"type": "pointerMove", "duration": 0, "x": place[0], "y": place[1]});
+    let held = hand(json!([there, {"type": "pointerDown", "button": 0}]));
+    assert_eq!(held, json!([false, "inset(0px 0% 0px 0px)"]));
+    assert_eq!(hand(json!([{"type": "pointerUp", "button": 0}]))[0], json!(true));
     quiet(&browser);
 }
 
@@ -396,9 +427,7 @@ fn a_phone_needs_no_scrolling_sideways() {
         browser.resize(width, 640);
         for program in PROGRAMS {
             show(&browser, &format!("#{}&pixel=500,200", &program.name[..6]));
-            browser.run(
-                "for (const folded of document.querySelectorAll('details')) folded.open = true",
-            );
+            unfold(&browser);
             let wide = browser.run("return document.documentElement.scrollWidth - innerWidth");
             if width > 1 {
                 assert_eq!(wide, json!(0), "{} at {width}", program.name);
@@ -459,6 +488,12 @@ fn what_the_browser_lacks_is_done_without() {
         "(function look() { if ($('notice').hidden) requestAnimationFrame(look); else done($('notice').textContent); })()",
     );
     assert!(notice.to_string().contains("WebAssembly"), "{notice}");
+    let seen = "return document.querySelectorAll('article[lang=en]:not([hidden])').length";
+    assert_eq!(browser.run(seen), json!(PROGRAMS.len()));
+    let notice = browser.text("$('language').click(); return $('notice').textContent");
+    assert!(notice.starts_with("As imagens não podem"), "{notice}");
+    assert_eq!(browser.run(seen), json!(0));
+    browser.run("$('language').click()");
     let read = browser.text("return document.querySelector('article').innerText");
     assert!(read.contains("The idea"), "{read}");
     let still = browser
@@ -625,9 +660,7 @@ fn everybody_can_use_it() {
         browser.resize(width, 640);
         for program in PROGRAMS {
             show(&browser, &format!("#{}&pixel=440,200&handles=on", &program.name[..6]));
-            browser.run(
-                "for (const folded of document.querySelectorAll('details')) folded.open = true",
-            );
+            unfold(&browser);
             browser.run(&axe);
             let found = browser.wait_for(
                 "axe.run().then(({ violations }) => done(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html.slice(0, 200)).slice(0, 3)])))",

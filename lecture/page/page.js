@@ -767,7 +767,6 @@ function buttons() {
     const link = element("a", { href: $("now").toDataURL("image/png"), download: `${state.name}.png` });
     link.click();
   };
-  $("language").onclick = () => { speak(language === "en" ? "pt-BR" : "en"); refresh(); };
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey || !run || /^(INPUT|SELECT)$/.test(event.target.tagName)) return;
     if (event.key === "PageDown") go(state.step + 1);
@@ -816,9 +815,11 @@ function translate() {
   notice(said);
   told = null;
   if (state) showStep();
+  else for (const article of document.querySelectorAll("article[lang]")) article.hidden = article.lang !== language;
 }
 
 translate();
+$("language").onclick = () => { speak(language === "en" ? "pt-BR" : "en"); if (state) refresh(); };
 start().then(() => {
   run(`language ${language}`);
   hands();
