@@ -4,10 +4,10 @@ use std::env;
 use std::fmt::Write as _;
 use std::fs;
 use std::io::Write as _;
+use std::path;
 use std::path::Path;
 use std::path::PathBuf;
 use std::process::Command;
-use std::process::Stdio;
 
 use anyhow::Context;
 use anyhow::Result;
@@ -191,18 +191,15 @@ fn build(root: &Path) -> Result<PathBuf> {
     };
     build.current_dir(root).args(["rustc", "--quiet", "-p", "lecture", "--lib"]);
     build.args(["--no-default-features", "--crate-type", "cdylib", "--profile", "page"]);
-    build.args(["--target", TARGET, "--message-format", "json-render-diagnostics"]);
+    let target = env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), PathBuf::from);
+    let target = path::absolute(target)?;
+    build.args(["--target", TARGET, "--target-dir"]).arg(&target);
     build.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", FLAGS);
-    let built = build
-        .stderr(Stdio::inherit())
-        .output()
-        .context(text!("cannot run cargo, which has to build the page"))?;
-    if !built.status.success() {
+    let built = build.status().context(text!("cannot run cargo, which has to build the page"))?;
+    if !built.success() {
         bail!(text!("the steps do not build for a browser: what cargo says of it stands above"));
     }
-    let messages = String::from_utf8_lossy(&built.stdout);
-    let file = messages.split('"').rfind(|word| word.ends_with("lecture.wasm"));
-    Ok(PathBuf::from(file.context(text!("cargo does not say what it built"))?))
+    Ok(target.join(TARGET).join("page/lecture.wasm"))
 }
 
 /// Whether Rust's standard library for a browser is there.
