@@ -11,6 +11,7 @@ use super::panel::Panel;
 use super::panel::Row;
 use crate::Area;
 use crate::Canvas;
+use crate::Section;
 
 /// The em of the text beside a written picture, of the picture's height, and that of the labels in it.
 const TEXT: f32 = 1.0 / 36.0;
@@ -59,15 +60,18 @@ impl Session {
     }
 
     /// The pinned pixel's explanation in columns: its last section, and of those before as many as
-    /// take no column more.
+    /// take no column more; where the last says no more than a colour, the one before it in any case.
     fn columns(&mut self, first: Area, em: f32) -> Vec<Panel> {
         let folds = mem::take(&mut self.folds);
         let sections = self.explanation().map_or(Vec::new(), |explanation| explanation.sections);
         let mut columns = columns_of(self.open_rows(), first, em);
-        for section in sections.iter().rev().skip(1) {
+        let lines = |section: &Section| section.groups.iter().map(|group| group.lines.len()).sum();
+        let last: usize = sections.last().map_or(0, lines);
+        for (place, section) in sections.iter().rev().enumerate().skip(1) {
             self.folds.push((Fold::Section(section.name), true));
             let more = columns_of(self.open_rows(), first, em);
-            if more.len() > columns.len() {
+            let wanted = place == 1 && last <= 1;
+            if more.len() > columns.len() && !wanted {
                 self.folds.pop();
             } else {
                 columns = more;
