@@ -54,11 +54,20 @@ fn pixels(bencher: Bencher<'_, '_>, height: usize) {
     render(bencher, "step07_specular", height, true);
 }
 
-/// A frame of a drag, 960 × 540 pixels, rendered and painted: step 05, step 06, and both with a line
-/// between them, which should take no longer than the two together.
-#[divan::bench(args = ["05", "06", "05 | 06"], sample_count = 200)]
+/// A frame of a drag in a window of 960 × 540 pixels, rendered and painted. Step 05, step 06, and both
+/// with a line between them, alone in the window: the last should take no longer than the two together.
+/// Step 07 with all beside it: with a pinned pixel at most 1.25 of the frame without, and from outside
+/// at most 33 ms.
+#[divan::bench(
+    args = ["05", "06", "05 | 06", "07", "07, pinned", "07, outside", "07, pinned, outside"],
+    sample_count = 200
+)]
 fn dragged_frame(bencher: Bencher<'_, '_>, shown: &str) {
-    let current = if shown == "05" { 4 } else { 5 };
+    let current = match shown {
+        "05" => 4,
+        "06" | "05 | 06" => 5,
+        _ => 6,
+    };
     let program = |index| {
         let make = Rc::new(move || tests::step(index));
         Program::new(STEPS[index], "a concept", Size::DEFAULT, make)
@@ -66,9 +75,19 @@ fn dragged_frame(bencher: Bencher<'_, '_>, shown: &str) {
     let programs: Vec<Program> = (0..STEPS.len()).map(program).collect();
     let setup = Setup::new(programs[current].make.clone());
     let mut session = Session::new(programs, current, setup, Size::DEFAULT, 1);
-    session.handle(Event::Key(Key::Space, false));
+    if current < 6 {
+        session.handle(Event::Key(Key::Space, false));
+    }
     if shown == "05 | 06" {
         session.handle(Event::Key(Key::Char('D'), false));
+    }
+    if shown.contains("pinned") {
+        // On the red sphere.
+        session.handle(Event::Press(280.0, 130.0));
+        session.handle(Event::Release(280.0, 130.0));
+    }
+    if shown.contains("outside") {
+        session.handle(Event::Key(Key::Char('O'), false));
     }
     session.handle(Event::Press(100.0, 100.0));
     let mut window = RgbImage::new(960, 540);

@@ -310,6 +310,7 @@ fn a_nudge_is_the_next_whole_number_name_or_state() {
         // A fine nudge is a whole one here: there is nothing in between.
         for step in [1.0, 0.1] {
             for state in &states {
+                control.nudge(0.0);
                 assert_eq!(control.text(), *state);
                 control.nudge(step);
             }

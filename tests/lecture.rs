@@ -257,3 +257,42 @@ fn the_printed_command_gives_the_camera_as_it_is_seen_from_outside() {
     );
     assert!(found != started);
 }
+
+#[test]
+fn the_printed_command_gives_the_pinned_pixel_as_it_is_saved() {
+    for (index, name) in STEPS.iter().enumerate() {
+        let mut session = session(index);
+        change_everything(&mut session);
+        let area = session.picture_area();
+        let (x, y) = (area.left + 0.55 * area.width, area.top + 0.6 * area.height);
+        session.handle(Event::Press(x, y));
+        session.handle(Event::Release(x, y));
+        let pinned = session.pinned().expect("a pixel is pinned");
+        for keys in ["", "O", "D"] {
+            keys.chars().for_each(|key| drop(session.handle(Event::Key(Key::Char(key), false))));
+            let (command, found) = taken_away(&mut session);
+            assert!(command.contains(&format!(" --pixel {},{} -o ", pinned.col, pinned.row)));
+            let render = |wanted: &Wanted<'_>| {
+                let (step, camera) = (wanted.setup.step(), &*wanted.camera);
+                Frame { step, camera, size: wanted.size, samples: 1 }.render()
+            };
+            let pictures: Vec<RgbImage> = session.saved().iter().map(render).collect();
+            let (width, height) = pictures[0].dimensions();
+            assert!(session.written(pictures) == found, "{command}");
+            assert!(found.width() > width && found.height() >= height, "{name}: {command}");
+        }
+    }
+}
+
+#[test]
+fn nothing_but_the_picture_is_saved_where_no_vectors_are_shown() {
+    let mut session = session(6);
+    let (x, y) = (session.picture_area().width / 2.0, session.picture_area().height / 2.0);
+    session.handle(Event::Press(x, y));
+    session.handle(Event::Release(x, y));
+    session.handle(Event::Key(Key::Char('V'), false));
+    assert!(!session.command().contains("--pixel"));
+    let size = session.picture_size();
+    let picture = RgbImage::new(size.width() as u32, size.height() as u32);
+    assert!(session.written(vec![picture.clone()]) == picture);
+}

@@ -261,3 +261,13 @@ fn with_nothing_left_nothing_panics() {
     let background = Color::new(0.03, 0.05, 0.09).to_array().map(f32::to_bits);
     assert!(seen(&setup).iter().all(|color| *color == background), "all is background");
 }
+
+#[test]
+fn no_step_of_a_key_moves_nothing() {
+    let mut setup = setup(6);
+    let start = setup.list();
+    for setting in &start {
+        setup.nudge(&setting.name, 0.0);
+        assert_eq!(setup.list(), start, "{}", setting.name);
+    }
+}

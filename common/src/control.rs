@@ -327,8 +327,11 @@ impl Control<'_> {
     }
 
     /// Moves the value by `steps` of a key: 50 steps are the range of a number, one is the next
-    /// whole number, name or state.
+    /// whole number, name or state. No step changes nothing.
     pub fn nudge(&mut self, steps: f32) {
+        if steps == 0.0 {
+            return;
+        }
         let step = match &self.kind {
             Kind::Number(..) | Kind::Logarithmic(..) | Kind::Brightness(..) => steps / 50.0,
             Kind::Count(_, range) => steps.signum() / (range.end() - range.start()).max(1) as f32,

@@ -304,7 +304,8 @@ impl Line {
 
 impl Group {
     fn new(name: &'static str) -> Self {
-        Self { name, outcome: Outcome::Told, lines: Vec::new() }
+        // As many lines as are told of most objects, so that the list need not grow.
+        Self { name, outcome: Outcome::Told, lines: Vec::with_capacity(16) }
     }
 
     /// Whether it is worth reading at first: not if it is about an object that is not seen.

@@ -258,6 +258,9 @@ impl Setup {
 
     /// Moves a control by `steps` of a key, as [`Control::nudge`] does.
     pub fn nudge(&mut self, name: &str, steps: f32) {
+        if steps == 0.0 {
+            return;
+        }
         if let Some(setting) = self.choice_called(name) {
             let step = steps.signum() / (setting.options.len() - 1).max(1) as f32;
             self.set_fraction(name, setting.fraction + step);

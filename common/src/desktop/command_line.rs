@@ -28,7 +28,6 @@ use super::check;
 use super::file;
 use super::progress::Progress;
 use super::window;
-use crate::Canvas;
 use crate::Compare;
 use crate::Comparison;
 use crate::Frame;
@@ -45,11 +44,10 @@ use crate::Session;
 use crate::Setting;
 use crate::SettingError;
 use crate::Setup;
-use crate::Sight;
 use crate::Size;
 use crate::View;
+use crate::Wanted;
 use crate::check_loop;
-use crate::draw_vectors;
 use crate::side_by_side;
 use crate::text;
 use crate::translated;
@@ -71,15 +69,9 @@ pub(crate) struct Suite {
 /// What is to be made, and how.
 struct Job {
     name: &'static str,
-    setup: Setup,
-    /// The step before, with the same changes, where it is compared with.
-    before: Option<(Setup, Compare)>,
+    session: Session,
     size: Size,
     samples: usize,
-    /// The pixel whose rays and vectors are drawn over a written picture.
-    pixel: Option<Pixel>,
-    /// From where the camera is seen, if it is.
-    onlooker: Option<View>,
 }
 
 pub(crate) fn run(suite: &Suite) -> ExitCode {
@@ -129,8 +121,17 @@ pub(crate) fn run(suite: &Suite) -> ExitCode {
         return usage(&text!("there is no step before step 1: compare --step 2 to {last}", last));
     }
     let output = matches.get_one::<PathBuf>("output");
-    let mut pixel = None;
-    if let Some((col, row)) = matches.get_one::<(usize, usize)>("pixel").copied() {
+    let pixel = matches.get_one::<(usize, usize)>("pixel").copied();
+    if pixel.is_some() && output.is_none() && matches.contains_id("samples") {
+        // What is printed is of one ray; with a picture that is seen beside it.
+        let [argument, other] = ["--pixel <X,Y>", "--samples <N>"];
+        return usage(&text!(
+            "the argument '{argument}' cannot be used with '{other}'",
+            argument,
+            other
+        ));
+    }
+    if let Some((col, row)) = pixel {
         let (width, height) = (size.width(), size.height());
         if col >= width || row >= height {
             let (right, bottom) = (width - 1, height - 1);
@@ -144,19 +145,16 @@ pub(crate) fn run(suite: &Suite) -> ExitCode {
             ));
         }
         let camera = setup.view().camera(size.aspect());
-        let pinned = Pixel { col, row, width, height };
-        let explanation = setup.step().explain(&*camera, pinned);
+        let explanation = setup.step().explain(&*camera, Pixel { col, row, width, height });
         let printed = print(&explanation.to_string());
         if output.is_none() || printed.is_err() {
             return status(printed.map(|()| true));
         }
-        pixel = Some(pinned);
     }
-    let before = match compare {
-        Compare::Off => None,
-        compare => Some((setup.carried_to(suite.programs[current - 1].make.clone()), compare)),
-    };
-    let mut job = Job { name, setup, before, size, samples, pixel, onlooker };
+    let session = Session::new(suite.programs.clone(), current, setup, size, samples)
+        .comparing(compare)
+        .pinning(onlooker, pixel);
+    let mut job = Job { name, session, size, samples };
     if let Some(expected) = matches.get_one::<PathBuf>("compare") {
         if output.is_some_and(|output| file::is_same(output, expected)) {
             return usage(text!("--output names the file to compare, which would be overwritten"));
@@ -167,9 +165,7 @@ pub(crate) fn run(suite: &Suite) -> ExitCode {
         Some(path) => job.write(path),
         None => match window::Window::open(&program.title(), size) {
             Ok(window) => {
-                let programs = suite.programs.clone();
-                let session = Session::new(programs, current, job.setup, size, samples);
-                return status(window.run(session.comparing(compare), samples).map(|()| true));
+                return status(window.run(job.session, samples).map(|()| true));
             }
             Err(error) => {
                 report(name, &text!("no window ({error}), so the picture goes to a file", error));
@@ -258,7 +254,7 @@ fn command(suite: &Suite) -> Command {
         .arg(option("camera", "KIND").value_parser(View::PROJECTIONS.map(|(name, _)| name)))
         .arg(option("set", "NAME=VALUE").action(ArgAction::Append))
         .arg(option("samples", "N").value_parser(samples))
-        .arg(option("pixel", "X,Y").value_parser(pixel).conflicts_with("samples"))
+        .arg(option("pixel", "X,Y").value_parser(pixel))
         .arg(
             Arg::new("outside")
                 .long("outside")
@@ -427,7 +423,7 @@ Options:
       --set NAME=VALUE    set a control, as its slider would; repeatable, applied in order
       --samples N         N×N rays a pixel (1; at most {most})
       --pixel X,Y         print that pixel's equations with their numbers; with -o, write the
-                          picture with its rays and vectors
+                          picture with its rays and vectors, and the equations beside it
       --outside           with -o, write the camera as it is seen from outside; --set also takes
                           outside.azimuth, outside.elevation and outside.distance
       --compare FILE      render, say how far FILE is from it and where; exit 1 if they differ;
@@ -469,8 +465,7 @@ impl Job {
     fn write(&mut self, path: &Path) -> Result<()> {
         let Self { name, size, .. } = *self;
         file::check_destination(path)?;
-        let (mut picture, time) = self.render();
-        self.draw(&mut picture);
+        let (picture, time) = self.render();
         file::save_png(&picture, path)?;
         report(
             name,
@@ -486,8 +481,8 @@ impl Job {
 
     /// Prints how far the picture in `file` is from the one expected, and writes both and their
     /// difference to `output`; whether they are equal.
-    fn compare(&self, file: &Path, output: Option<&PathBuf>) -> Result<bool> {
-        let Self { name, size, .. } = self;
+    fn compare(&mut self, file: &Path, output: Option<&PathBuf>) -> Result<bool> {
+        let Self { name, size, samples, .. } = *self;
         let found = file::read_png(file)?;
         if let Some(path) = output {
             file::check_destination(path)?;
@@ -505,9 +500,9 @@ impl Job {
         let comparison = Comparison::new(&expected, &found, &[]);
         let mut text = format!("{}: {comparison}\n", file.display());
         if matches!(comparison, Comparison::Different(_)) {
-            let camera = self.setup.view().camera(size.aspect());
-            let (step, samples) = (self.setup.step(), self.samples);
-            let frame = Frame { step, camera: &*camera, size: *size, samples };
+            let setup = self.session.setup();
+            let camera = setup.view().camera(size.aspect());
+            let frame = Frame { step: setup.step(), camera: &*camera, size, samples };
             let pair = Pair { frame, expected: &expected, found: &found };
             text += &check::said_of(&Mistake::named(&[pair]));
         }
@@ -523,48 +518,18 @@ impl Job {
         Ok(comparison.is_equal())
     }
 
-    /// Draws over the picture the pinned pixel's rays and vectors, and the camera where it is seen
-    /// from outside.
-    fn draw(&mut self, picture: &mut RgbImage) {
-        if self.pixel.is_none() && self.onlooker.is_none() {
-            return;
-        }
-        let mut handles = self.setup.points();
-        handles.retain(|handle| handle.name != "center");
-        let (view, step) = (self.setup.view(), self.setup.step());
-        let camera = view.camera(self.size.aspect());
-        let explanation = self.pixel.map(|pixel| step.explain(&*camera, pixel));
-        let mut canvas = Canvas::new(picture);
-        let area = canvas.area();
-        let text_size = (area.height / 30.0).clamp(11.0, 40.0);
-        if let Some(onlooker) = &self.onlooker {
-            let onlooker = onlooker.camera(self.size.aspect());
-            let outside = Outside { step, view, onlooker: &*onlooker, area };
-            outside.draw(&mut canvas, explanation.as_ref(), &handles, text_size);
-        } else {
-            let sight = Sight { step, camera: &*camera, area };
-            draw_vectors(&mut canvas, sight, explanation.as_ref(), &handles, text_size);
-        }
-    }
-
     /// The picture, and how many milliseconds its pixels took.
-    fn render(&self) -> (RgbImage, String) {
+    fn render(&mut self) -> (RgbImage, String) {
         let Self { size, samples, .. } = *self;
-        let view = self.onlooker.as_ref().unwrap_or(self.setup.view());
-        let camera = view.camera(size.aspect());
-        let pictures = if self.before.is_some() { 2 } else { 1 };
-        let progress = Progress::new(pictures * size.height());
-        let render = |setup: &Setup| {
-            let frame = Frame { step: setup.step(), camera: &*camera, size, samples };
-            frame.render_parallel(|rows| progress.add(rows))
+        let wanted = self.session.saved();
+        let progress = Progress::new(wanted.len() * size.height());
+        let render = |wanted: &Wanted<'_>| {
+            let (step, camera) = (wanted.setup.step(), &*wanted.camera);
+            Frame { step, camera, size, samples }.render_parallel(|rows| progress.add(rows))
         };
-        let this = render(&self.setup);
-        let picture = match &self.before {
-            Some((before, compare)) => compare.composed(&render(before), &this),
-            None => this,
-        };
+        let pictures = wanted.iter().map(render).collect();
         let milliseconds = progress.finish().as_secs_f64() * 1e3;
-        (picture, format!("{milliseconds:.1}"))
+        (self.session.written(pictures), format!("{milliseconds:.1}"))
     }
 }
 

@@ -93,13 +93,13 @@ impl Drawing {
         drawing
     }
 
-    pub(crate) fn size(&self) -> Size {
-        self.size
-    }
-
     /// As much of the picture as there is.
     pub(crate) fn picture(&self) -> &RgbImage {
         &self.picture
+    }
+
+    pub(crate) fn into_picture(self) -> RgbImage {
+        self.picture
     }
 
     pub(crate) fn finished(&self) -> Finished {

@@ -222,9 +222,9 @@ struct Shell {
     titled: String,
     /// The pictures that the session wants, in its order, each with its program.
     drawings: Vec<(usize, Drawing)>,
-    /// The picture that is to be saved as soon as it is complete; until then further input waits,
-    /// but for Escape.
-    saving: Option<Drawing>,
+    /// The pictures that are to be saved as soon as they are complete; until then further input
+    /// waits, but for Escape.
+    saving: Option<Vec<Drawing>>,
     painted: RgbImage,
     size: Size,
     pointer: (f32, f32),
@@ -425,10 +425,10 @@ impl Shell {
                 Effect::Repaint => self.repaint = true,
                 Effect::Print(text) => print(&text)?,
                 Effect::Save => {
-                    let size = self.session.picture_size();
-                    let camera = self.session.setup().view().camera(size.aspect());
-                    let drawing = Drawing::new(size, self.samples, camera, Duration::MAX);
-                    self.saving = Some(drawing);
+                    let drawing = |wanted: Wanted<'_>| {
+                        Drawing::new(wanted.size, self.samples, wanted.camera, Duration::MAX)
+                    };
+                    self.saving = Some(self.session.saved().into_iter().map(drawing).collect());
                     self.session.handle(Event::Say(
                         text!("saved as soon as it is complete; Esc quits").to_owned(),
                     ));
@@ -442,20 +442,26 @@ impl Shell {
 
     /// Goes on with the picture that is to be saved, and saves it if it is complete.
     fn save(&mut self) -> Result<()> {
-        let Some(drawing) = &mut self.saving else {
+        let Some(mut drawings) = self.saving.take() else {
             return Ok(());
         };
-        drawing.work(self.session.setup().step());
-        if !drawing.is_complete() {
+        for (wanted, drawing) in self.session.saved().iter().zip(&mut drawings) {
+            drawing.work(wanted.setup.step());
+        }
+        if !drawings.iter().all(Drawing::is_complete) {
+            self.saving = Some(drawings);
             return Ok(());
         }
         let name = self.session.program().name;
-        let size = drawing.size();
-        let done = match file::save_new_png(drawing.picture(), name) {
-            Ok(path) => text!("{size} written to {path}", size, path = path.display()),
+        let pictures = drawings.into_iter().map(Drawing::into_picture).collect();
+        let picture = self.session.written(pictures);
+        let done = match file::save_new_png(&picture, name) {
+            Ok(path) => {
+                let size = format!("{}x{}", picture.width(), picture.height());
+                text!("{size} written to {path}", size, path = path.display())
+            }
             Err(error) => file::told(&error),
         };
-        self.saving = None;
         report(name, &done);
         self.tell(Event::Say(done)).map(|_| ())
     }

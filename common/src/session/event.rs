@@ -68,7 +68,8 @@ pub enum Effect {
     Repaint,
     /// Print a text that ends with a line break.
     Print(String),
-    /// Save the picture alone, at the size that was asked for, and then say what became of it.
+    /// Make the [`saved`](super::Session::saved) pictures, save what is
+    /// [`written`](super::Session::written) of them, and then say what became of it.
     Save,
     /// End.
     Quit,

@@ -5,6 +5,7 @@ mod event;
 mod layout;
 mod paint;
 mod panel;
+mod written;
 
 use std::mem;
 
@@ -242,6 +243,17 @@ impl Session {
         self
     }
 
+    /// Starts outside of the camera, if there is an onlooker, and with a pixel pinned, if there is
+    /// one: its column and row in the picture as it is saved.
+    #[cfg(feature = "desktop")]
+    pub(crate) fn pinning(mut self, onlooker: Option<View>, pixel: Option<(usize, usize)>) -> Self {
+        let center = |at: usize, pixels: usize| (at as f32 + 0.5) / pixels as f32;
+        let (width, height) = (self.picture.width(), self.picture.height());
+        self.onlooker = onlooker;
+        self.pinned = pixel.map(|(col, row)| (center(col, width), center(row, height)));
+        self
+    }
+
     /// The program that is shown.
     pub fn program(&self) -> &Program {
         &self.programs[self.current]
@@ -325,8 +337,15 @@ impl Session {
             flags.push(format!("--samples {}", self.samples));
         }
         flags.extend(self.setup.settings().iter().map(|setting| format!("--set {setting}")));
+        let pixel = self.pinned().filter(|_| self.vectors);
+        if let Some(Pixel { col, row, .. }) = pixel {
+            flags.push(format!("--pixel {col},{row}"));
+        }
+        if pixel.is_some() || self.onlooker.is_some() {
+            flags.push(format!("-o {name}.png"));
+        }
         if let Some(onlooker) = &self.onlooker {
-            flags.push(format!("-o {name}.png --outside"));
+            flags.push("--outside".to_owned());
             let mut start = Outside::onlooker(self.setup.view());
             let start: Vec<String> = start.controls().iter().map(Control::exact).collect();
             for (control, start) in onlooker.clone().controls().iter().zip(start) {
@@ -346,7 +365,10 @@ impl Session {
     /// this one's.
     pub fn pictures(&self) -> Vec<Wanted<'_>> {
         let area = self.layout().picture;
-        let size = Size::new(area.width as usize, area.height as usize).unwrap_or(self.window);
+        self.wanted(Size::new(area.width as usize, area.height as usize).unwrap_or(self.window))
+    }
+
+    fn wanted(&self, size: Size) -> Vec<Wanted<'_>> {
         let wanted = |setup, program| {
             let view = self.seen_from();
             Wanted { setup, camera: view.camera(self.picture.aspect()), size, program }

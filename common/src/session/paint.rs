@@ -51,7 +51,7 @@ impl Session {
         let layout = self.layout();
         let mut canvas = Canvas::new(window);
         let differing = self.paint_pictures(&mut canvas, &layout, pictures);
-        self.paint_vectors(&mut canvas, &layout);
+        self.paint_vectors(&mut canvas, layout.picture, layout.em.clamp(11.0, 40.0));
         let said = match (&self.note, differing) {
             (Some(note), _) => Some(note.clone()),
             (None, Some((pixels, of))) => Some(text!("{pixels} of {of} pixels differ", pixels, of)),
@@ -104,10 +104,9 @@ impl Session {
     }
 
     /// What is told of the pinned pixel with a place in the world; outside, the camera too.
-    fn paint_vectors(&mut self, canvas: &mut Canvas<'_>, layout: &Layout) {
+    pub(super) fn paint_vectors(&mut self, canvas: &mut Canvas<'_>, area: Area, text_size: f32) {
         let points = self.points();
         let explanation = self.explanation().filter(|_| self.vectors);
-        let (area, text_size) = (layout.picture, layout.em.clamp(11.0, 40.0));
         let (step, view) = (self.setup.step(), self.setup.view());
         let mut canvas = canvas.clipped(area);
         if let Some(onlooker) = &self.onlooker {
@@ -122,7 +121,7 @@ impl Session {
         }
         if let Some((u, v)) = self.pinned {
             let at = (area.left + u * area.width, area.top + v * area.height);
-            let unit = (layout.em / 10.0).max(1.0);
+            let unit = text_size / 10.0;
             canvas.ring(at, 4.0 * unit, 2.4 * unit, Ink::BLACK);
             canvas.ring(at, 4.0 * unit, 1.2 * unit, ACCENT);
         }
@@ -140,7 +139,14 @@ impl Session {
         let Program { name, slides, .. } = self.program();
         let (concept, _) = self.program().told();
         if area.height < 5.0 * row {
-            let title = format!("{name}   {concept}");
+            let whole = format!("{name}   {concept}");
+            // What comes after the colon says it more precisely.
+            let title = match concept.split_once(':') {
+                Some((short, _)) if Font::width(em, &whole) > area.width => {
+                    format!("{name}   {short}")
+                }
+                _ => whole,
+            };
             let (text, ink) = said.map_or((status, FAINT), |said| (said, TEXT));
             let lines = Font::wrap(em, text, area.width).len();
             let height = row * lines as f32;
@@ -256,7 +262,7 @@ impl Session {
     }
 
     /// The last section first.
-    fn explained(&self, explanation: &Explanation) -> Vec<Row> {
+    pub(super) fn explained(&self, explanation: &Explanation) -> Vec<Row> {
         let rgb = encode(explanation.color);
         let [r, g, b] = rgb;
         let (col, row) = (explanation.pixel.col, explanation.pixel.row);

@@ -177,6 +177,21 @@ impl Panel {
         panel
     }
 
+    /// As many of `rows` in `area` as can be seen at once, at least one, and the rest: no heading is
+    /// left without what it stands over.
+    pub(super) fn filled(area: Area, em: f32, rows: Vec<Row>) -> (Self, Vec<Row>) {
+        let mut panel = Self::new(area, em, rows, 0.0);
+        let height = panel.inner().height;
+        let mut count = panel.places.iter().take_while(|place| place.bottom() <= height).count();
+        let heads = |row: &Row| matches!(row, Row::Heading { open: true, .. });
+        while count < panel.rows.len() && count > 1 && heads(&panel.rows[count - 1]) {
+            count -= 1;
+        }
+        let rest = panel.rows.split_off(count.max(1).min(panel.rows.len()));
+        panel.places.truncate(panel.rows.len());
+        (panel, rest)
+    }
+
     /// Where the last row ends.
     fn bottom(&self) -> f32 {
         self.places.last().map_or(0.0, |last| last.bottom())
