@@ -31,8 +31,9 @@ pub(crate) struct Pen<'a> {
     pub(crate) sight: Sight<'a>,
     text_size: f32,
     labels: Vec<Label<'a>>,
-    /// Where lines are that no label is to cover, if it can be helped.
+    /// Where lines and marks are that no label is to cover, if it can be helped.
     lines: Vec<Area>,
+    marks: Vec<Area>,
 }
 
 impl<'a> Pen<'a> {
@@ -43,6 +44,7 @@ impl<'a> Pen<'a> {
             text_size,
             labels: Vec::new(),
             lines: Vec::new(),
+            marks: Vec::new(),
         }
     }
 
@@ -91,6 +93,11 @@ impl<'a> Pen<'a> {
             let side = 0.5 * self.text_size;
             self.lines.push(Area::anchored(at, Anchor::Center, side, side));
         }
+    }
+
+    /// Leaves room for a mark that is so large.
+    pub(crate) fn keep_mark(&mut self, at: (f32, f32), radius: f32) {
+        self.marks.push(Area::anchored(at, Anchor::Center, 2.0 * radius, 2.0 * radius));
     }
 
     /// An arrow with its name at the tip; one that is seen end on is a ring.
@@ -201,6 +208,7 @@ impl<'a> Pen<'a> {
         ];
         let dot = |at| Area::anchored(at, Anchor::Center, gap, gap);
         let mut taken: Vec<Area> = self.labels.iter().map(|label| dot(label.at)).collect();
+        taken.append(&mut self.marks);
         for label in &self.labels {
             let text = label.texts.join(", ");
             let place = |(x, y): (f32, f32), gap: f32| {

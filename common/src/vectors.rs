@@ -174,8 +174,10 @@ pub(crate) fn draw_handles<'a>(pen: &mut Pen<'a>, handles: &'a [Handle]) {
     for handle in handles {
         let Some((x, y)) = pen.sight.at(handle.position) else { continue };
         let radius = 2.0 * pen.width();
+        let is_light = handle.name == "light";
+        pen.keep_mark((x, y), if is_light { 2.6 * radius } else { radius });
         let canvas = pen.canvas();
-        if handle.name == "light" {
+        if is_light {
             for direction in 0..8 {
                 let (sin, cos) = (direction as f32 * std::f32::consts::FRAC_PI_4).sin_cos();
                 let at = |far: f32| (x + far * radius * cos, y + far * radius * sin);

@@ -407,7 +407,9 @@ fn draw_line(
             let right = area.right() - from_right as f32 * columns.width;
             match value.strip_prefix(['-', ' ']) {
                 Some(number) => {
-                    let left = right - columns.width + 1.3 * SIGN * em;
+                    // What is too long for its column begins earlier.
+                    let left = (right - columns.width + 1.3 * SIGN * em)
+                        .min(right - Font::width(em, number));
                     canvas.text((left, top), Anchor::TopLeft, em, TEXT, number);
                     if value.starts_with('-') {
                         let sign = (left, top + 0.66 * em);
