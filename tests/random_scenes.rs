@@ -1,0 +1,311 @@
+//! Random scenes look the same to step 07 and to POV-Ray.
+//!
+//! Every channel of every pixel is within 1/255 of what POV-Ray makes of the same scene, without a
+//! single exception counted. What is allowed for is this: the step's 32-bit numbers and POV-Ray's
+//! 64-bit ones put a silhouette, a shadow's edge or the end of a highlight at places that differ
+//! by a tiny part of a pixel. So a pixel is right if POV-Ray's colour is the step's own, at the
+//! pixel's centre or at one of eight places [`SHIFT`] of a pixel around it. On a smooth surface
+//! all nine are one colour; on an edge they are the colours of both sides, and no other colour
+//! will do.
+
+use std::array;
+use std::collections::HashSet;
+use std::fs;
+use std::path::Path;
+
+use common::OrthographicCamera;
+use common::PerspectiveCamera;
+use common::side_by_side;
+use fastrand::Rng;
+use image::Rgb;
+use image::RgbImage;
+use lecture::step07_specular::Lesson;
+use lecture::step07_specular::light::PointLight;
+use lecture::step07_specular::material::Material;
+use lecture::step07_specular::scene::Object;
+use lecture::step07_specular::scene::Scene;
+use lecture::step07_specular::sphere::Sphere;
+use lecture::step07_specular::surface::Surface;
+use lecture::step07_specular::triangle::Triangle;
+use tests::povray;
+use tests::prelude::*;
+use tests::say;
+
+/// What rounding to a byte may make of a channel.
+const TOLERANCE: u8 = 1;
+
+/// How far from the centre of a pixel an edge may have moved, in pixels.
+const SHIFT: f32 = 1.0 / 256.0;
+
+/// A scene and a camera, as random numbers make them.
+struct RandomScene {
+    scene: Scene,
+    /// The vertices of the scene's triangles.
+    vertices: Vec<[Vec3; 3]>,
+    eye: Vec3,
+    target: Vec3,
+    perspective: bool,
+    /// The angle of a perspective camera, in degrees; the height of what a parallel one sees.
+    extent: f32,
+    size: Size,
+}
+
+/// A camera that looks a little past the place it is asked for.
+struct Shifted<'a> {
+    camera: &'a dyn Camera,
+    u: f32,
+    v: f32,
+}
+
+impl Camera for Shifted<'_> {
+    fn generate_ray(&self, u: f32, v: f32) -> Ray {
+        self.camera.generate_ray(u + self.u, v + self.v)
+    }
+}
+
+fn between(rng: &mut Rng, low: f32, high: f32) -> f32 {
+    low + (high - low) * rng.f32()
+}
+
+/// Three numbers from `low` to `high`.
+fn vector(rng: &mut Rng, low: f32, high: f32) -> Vec3 {
+    Vec3::from_array(array::from_fn(|_| between(rng, low, high)))
+}
+
+/// A point `low` to `high` away from the origin.
+fn around(rng: &mut Rng, low: f32, high: f32) -> Vec3 {
+    between(rng, low, high) * vector(rng, -1.0, 1.0).normalize_or(Vec3::Y)
+}
+
+fn random_material(rng: &mut Rng) -> Material {
+    let k_d = vector(rng, 0.1, 0.9);
+    let k_a = between(rng, 0.0, 0.3) * k_d;
+    Material {
+        k_a,
+        k_d,
+        k_s: between(rng, 0.0, 0.8),
+        exponent: 400_f32.powf(rng.f32()),
+        phong: false,
+    }
+}
+
+fn random_light(rng: &mut Rng) -> PointLight {
+    let attenuation = rng.usize(..4) > 0;
+    let intensity = if attenuation { between(rng, 10.0, 40.0) } else { between(rng, 0.2, 0.8) };
+    let position = around(rng, 4.0, 9.0);
+    PointLight {
+        name: "light",
+        position: position.with_y(position.y.abs()),
+        intensity,
+        attenuation,
+    }
+}
+
+impl RandomScene {
+    fn new(seed: u64) -> Self {
+        let rng = &mut Rng::with_seed(seed);
+        let mut spheres: Vec<_> = (0..rng.usize(2..=6))
+            .map(|_| Sphere { center: vector(rng, -2.5, 2.5), radius: between(rng, 0.2, 1.3) })
+            .collect();
+        let mut vertices: Vec<_> = (0..rng.usize(2..=6))
+            .map(|_| {
+                let center = vector(rng, -2.0, 2.0);
+                array::from_fn(|_| center + vector(rng, -2.0, 2.0))
+            })
+            .collect();
+        // What catches the shadows: a floor, or a sphere with everything inside.
+        if rng.bool() {
+            let [a, b, c, d] = [(-9.0, -9.0), (-9.0, 9.0), (9.0, 9.0), (9.0, -9.0)]
+                .map(|(x, z)| Vec3::new(x, -1.5, z));
+            vertices.extend([[a, b, c], [a, c, d]]);
+        } else {
+            spheres.push(Sphere { center: vector(rng, -1.0, 1.0), radius: 13.0 });
+        }
+        let objects = spheres.into_iter().map(Surface::Sphere);
+        let triangles = vertices.iter().map(|abc| Surface::Triangle(Triangle::new(*abc)));
+        let mut objects: Vec<_> = objects
+            .chain(triangles)
+            .map(|surface| Object { name: "object", material: random_material(rng), surface })
+            .collect();
+        let lights: Vec<_> = (0..rng.usize(1..=3)).map(|_| random_light(rng)).collect();
+        let scene = Scene {
+            objects: Vec::new(),
+            background: vector(rng, 0.0, 0.2),
+            lit: lights.len(),
+            lights,
+            ambient: between(rng, 0.5, 1.5),
+            shadows: true,
+            // POV-Ray's shadow rays begin 10⁻³ from the surface, and lights are about 10 away.
+            epsilon: 1e-4,
+            weights: [1.0; 3],
+        };
+        let phong = rng.bool();
+        objects.iter_mut().for_each(|object| object.material.phong = phong);
+        let scene = Scene { objects, ..scene };
+        let (eye, target) = (around(rng, 8.0, 11.0), vector(rng, -0.5, 0.5));
+        let eye = eye.with_y(eye.y.abs());
+        let perspective = rng.bool();
+        let extent = if perspective { between(rng, 30.0, 60.0) } else { between(rng, 6.0, 9.0) };
+        let (width, height) = [(160, 90), (120, 120), (90, 160)][rng.usize(..3)];
+        let size = Size::new(width, height).expect("a size");
+        Self { scene, vertices, eye, target, perspective, extent, size }
+    }
+
+    fn camera(&self) -> Box<dyn Camera> {
+        let Self { eye, target, extent, size, .. } = *self;
+        if self.perspective {
+            Box::new(PerspectiveCamera::new(eye, target, Vec3::Y, extent, size.aspect()))
+        } else {
+            Box::new(OrthographicCamera::new(eye, target, Vec3::Y, extent, size.aspect()))
+        }
+    }
+
+    /// The step's picture, seen `u` and `v` pixels past each pixel's centre.
+    fn picture(&self, u: f32, v: f32) -> RgbImage {
+        let step = &Lesson { scene: self.scene.clone() };
+        let (u, v) = (u / self.size.width() as f32, v / self.size.height() as f32);
+        let camera = &Shifted { camera: &*self.camera(), u, v };
+        Frame { step, camera, size: self.size, samples: 1 }.render()
+    }
+
+    /// The scene in POV-Ray's language, with the words and tricks of `references/lecture.pov`.
+    fn pov(&self) -> String {
+        let Self { scene, extent, .. } = self;
+        let vector = |v: Vec3| format!("<{}, {}, {}>", exact(v.x), exact(v.y), exact(v.z));
+        let aspect = format!("{} / {}", self.size.width(), self.size.height());
+        let camera = match (self.perspective, exact(*extent)) {
+            (true, angle) => format!(
+                "perspective right -x * {aspect} up y \
+                 angle 2 * degrees(atan2(tan(radians({angle} / 2)) * {aspect}, 1))"
+            ),
+            (false, height) => {
+                format!("orthographic right -x * {height} * {aspect} up y * {height}")
+            }
+        };
+        let lights = scene.lights.iter().map(|light| {
+            let (position, intensity) = (vector(light.position), exact(light.intensity));
+            let fading = match light.attenuation {
+                true => "* 1000000 / 2 fade_distance 0.001 fade_power 2",
+                false => "",
+            };
+            format!("light_source {{ {position} color rgb {intensity} {fading} }}")
+        });
+        let texture = |material: &Material| {
+            let (k_a, k_d) = (vector(material.k_a), vector(material.k_d));
+            let (k_s, exponent) = (exact(material.k_s), exact(material.exponent));
+            let highlight = match material.phong {
+                true => format!("phong {k_s} phong_size {exponent}"),
+                false => format!("specular {k_s} roughness 1 / {exponent}"),
+            };
+            let finish = format!("finish {{ ambient rgb {k_a} / {k_d} diffuse 1 {highlight} }}");
+            format!("texture {{ pigment {{ color rgb {k_d} }} {finish} }}")
+        };
+        let mut vertices = self.vertices.iter();
+        let objects = scene.objects.iter().map(|Object { material, surface, .. }| match surface {
+            Surface::Sphere(Sphere { center, radius }) => {
+                let (center, radius) = (vector(*center), exact(*radius));
+                format!("sphere {{ {center}, {radius} {} }}", texture(material))
+            }
+            Surface::Triangle(_) => {
+                let [a, b, c] = vertices.next().expect("a triangle has vertices").map(vector);
+                format!("triangle {{ {a}, {b}, {c} {} }}", texture(material))
+            }
+        });
+        let head = [
+            "#version 3.7;".to_owned(),
+            format!(
+                "global_settings {{ assumed_gamma 1.0 max_trace_level 1 ambient_light rgb {} }}",
+                exact(scene.ambient)
+            ),
+            format!(
+                "camera {{ {camera} location {} look_at {} }}",
+                vector(self.eye),
+                vector(self.target)
+            ),
+            format!("background {{ rgb {} }}", vector(scene.background)),
+        ];
+        let lines = head.into_iter().chain(lights).chain(objects);
+        lines.map(|line| line + "\n").collect()
+    }
+}
+
+/// All digits of a number, for a reader with 64 bits.
+fn exact(value: f32) -> String {
+    f64::from(value).to_string()
+}
+
+fn looks_like(a: &Rgb<u8>, b: &Rgb<u8>) -> bool {
+    a.0.iter().zip(b.0).all(|(a, b)| a.abs_diff(b) <= TOLERANCE)
+}
+
+fn looks_the_same_to_pov_ray(seed: u64) {
+    let random = RandomScene::new(seed);
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let path = folder.join(format!("random_scene_{seed}.pov"));
+    fs::write(&path, random.pov()).expect("the target folder can be written to");
+    let size = (random.size.width(), random.size.height());
+    let expected = povray::render(&path, &[], size, &path.with_extension("png"));
+
+    let shifts = [0.0, -SHIFT, SHIFT];
+    let shifts = shifts.into_iter().flat_map(|u| shifts.map(|v| (u, v)));
+    let pictures: Vec<_> = shifts.map(|(u, v)| random.picture(u, v)).collect();
+    let (at_center, nearby) = (&pictures[0], &pictures[1..]);
+    let (mut inexact, mut edges, mut wrong) = (0, 0, Vec::new());
+    for (col, row, pixel) in expected.enumerate_pixels() {
+        let found = at_center.get_pixel(col, row);
+        inexact += usize::from(found != pixel);
+        if looks_like(found, pixel) {
+            continue;
+        }
+        if nearby.iter().any(|picture| looks_like(picture.get_pixel(col, row), pixel)) {
+            edges += 1;
+        } else {
+            wrong.push((col, row));
+        }
+    }
+    say(&format!(
+        "random scene {seed}: {inexact} of {} pixels differ at all, {edges} are on an edge",
+        size.0 * size.1
+    ));
+    let seen = expected.pixels().collect::<HashSet<_>>().len();
+    assert!(seen > 100, "random scene {seed} has {seen} colours: there is nothing to see in it");
+    if let Some(&(col, row)) = wrong.first() {
+        let picture = path.with_file_name(format!("random_scene_{seed}_differs.png"));
+        side_by_side(&expected, at_center).save(&picture).expect("a picture");
+        panic!(
+            "random scene {seed}: {} pixels of step 07 are not what POV-Ray makes of them; the \
+             first is ({col}, {row}), {:?} instead of {:?}\n  the scene: {}\n  \
+             expected, found, 8 × their difference: {}",
+            wrong.len(),
+            at_center.get_pixel(col, row).0,
+            expected.get_pixel(col, row).0,
+            path.display(),
+            picture.display()
+        );
+    }
+}
+
+macro_rules! seeds {
+    ($($name:ident = $seed:literal;)*) => {
+        $(#[test]
+        #[ignore = "needs POV-Ray"]
+        fn $name() {
+            looks_the_same_to_pov_ray($seed);
+        })*
+    };
+}
+
+seeds! {
+    scene_1_looks_the_same_to_pov_ray = 1;
+    scene_2_looks_the_same_to_pov_ray = 2;
+    scene_3_looks_the_same_to_pov_ray = 3;
+    scene_4_looks_the_same_to_pov_ray = 4;
+    scene_5_looks_the_same_to_pov_ray = 5;
+    scene_6_looks_the_same_to_pov_ray = 6;
+    scene_7_looks_the_same_to_pov_ray = 7;
+    scene_8_looks_the_same_to_pov_ray = 8;
+    scene_9_looks_the_same_to_pov_ray = 9;
+    scene_10_looks_the_same_to_pov_ray = 10;
+    scene_11_looks_the_same_to_pov_ray = 11;
+    scene_12_looks_the_same_to_pov_ray = 12;
+}
