@@ -39,6 +39,11 @@ fn scratch(name: &str) -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
 }
 
+/// What a figure's Portuguese picture is called.
+fn in_portuguese(name: &str) -> String {
+    format!("{name}.pt-BR")
+}
+
 fn run(name: &str, arguments: &[&OsStr]) -> Output {
     Command::new(program(name)).args(arguments).output().expect("the program runs")
 }
@@ -64,23 +69,57 @@ fn written(name: &str, options: &str, file: &str) -> image::RgbImage {
     read_picture(&path)
 }
 
+/// In Portuguese too, where its words make it another picture.
 #[test]
 fn every_figure_is_the_committed_one() {
-    let held = figures().into_iter().map(|(step, name)| {
-        // Which points shadow themselves is decided by the last bit of a number, and that differs
-        // between processors.
-        if name == "acne" && cfg!(not(target_arch = "x86_64")) && !updating_snapshots() {
-            return Ok(());
-        }
-        let figure = format!("examples/{name}");
-        let found = written(&figure, "--samples 2", &format!("{name}.png"));
-        let path = root().join(step).join("figures").join(&name).with_extension("png");
-        hold_picture(&path, &found, &[], Path::new(env!("CARGO_TARGET_TMPDIR")))
-    });
-    let wrong: Vec<String> = held.filter_map(Result::err).collect();
-    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    let mut wrong = Vec::new();
     for step in STEPS {
-        assert_eq!(names(step, "figures"), names(step, "examples"), "{step}");
+        let mut committed = Vec::new();
+        for name in names(step, "examples") {
+            let figure = format!("examples/{name}");
+            let written = |language: &str| {
+                let options = format!("--samples 2 --language {language}");
+                written(&figure, &options, &format!("{name}_{language}.png"))
+            };
+            let (english, portuguese) = (written("en"), written("pt"));
+            let in_portuguese = (portuguese != english).then(|| (in_portuguese(&name), portuguese));
+            let mut hold = |committed_as: String, found| {
+                let file = root().join(step).join("figures").join(format!("{committed_as}.png"));
+                // Which points shadow themselves is decided by the last bit of a number, and that
+                // differs between processors.
+                let by_chance = name == "acne" && cfg!(not(target_arch = "x86_64"));
+                if !by_chance || updating_snapshots() {
+                    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+                    wrong.extend(hold_picture(&file, &found, &[], folder).err());
+                }
+                committed.push(committed_as);
+            };
+            hold(name.clone(), english);
+            if let Some((name, picture)) = in_portuguese {
+                hold(name, picture);
+            }
+        }
+        committed.sort();
+        assert_eq!(names(step, "figures"), committed, "{step}");
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// A handout shows a picture without words in both languages, and another one in its own.
+#[test]
+fn portuguese_handouts_show_portuguese_figures() {
+    for step in STEPS {
+        let read =
+            |file: &str| fs::read_to_string(root().join(step).join(file)).expect("a handout");
+        let (english, portuguese) = (read("README.md"), read("README.pt-BR.md"));
+        let committed = names(step, "figures");
+        for name in names(step, "examples") {
+            let shown = |name: &str| format!("(figures/{name}.png)");
+            assert!(english.contains(&shown(&name)), "{step}/README.md: {name}");
+            let own = in_portuguese(&name);
+            let expected = if committed.contains(&own) { shown(&own) } else { shown(&name) };
+            assert!(portuguese.contains(&expected), "{step}/README.pt-BR.md: {expected}");
+        }
     }
 }
 

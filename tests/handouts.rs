@@ -759,7 +759,7 @@ fn both_languages_say_the_same() {
                 }
                 // A heading is another one, and so is its anchor.
                 Part::Link(link) if link.starts_with('#') => None,
-                Part::Link(link) => Some(Part::Link(link.replace(".pt-BR.md", ".md"))),
+                Part::Link(link) => Some(Part::Link(link.replace(".pt-BR.", "."))),
                 Part::Html(html) => {
                     html.trim_start().starts_with("<details>").then(|| part.clone())
                 }

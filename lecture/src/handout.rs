@@ -190,8 +190,8 @@ fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str) -> Vec<Event<'a>> {
 /// picture. `pictures` are those of all figures, with what is to be seen in them.
 fn figure(path: &str, caption: &str, pictures: &[(CowStr<'_>, String)]) -> String {
     let name = path.trim_start_matches("examples/").trim_end_matches(".rs");
-    let picture = format!("figures/{name}.png");
-    let seen = pictures.iter().find(|(path, _)| **path == *picture);
+    let picture = format!("figures/{name}.");
+    let seen = pictures.iter().find(|(path, _)| path.starts_with(&picture));
     let (caption, seen) = (escape(caption), escape(seen.map_or("", |(_, seen)| seen)));
     format!(
         "<figure><figcaption>{caption}</figcaption>\

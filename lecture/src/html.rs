@@ -104,7 +104,7 @@ fn portuguese(sources: &[&str]) -> String {
 }
 
 /// The committed pictures in `folder`, small, as the grounds of the places for the figures: where
-/// nothing can be drawn, they remain.
+/// nothing can be drawn, they remain. Those of one language, NAME.LANGUAGE.png, are not needed.
 fn stills(folder: &Path, style: &mut String) -> Result<()> {
     let mut paths = Vec::new();
     for entry in fs::read_dir(folder)? {
@@ -112,16 +112,19 @@ fn stills(folder: &Path, style: &mut String) -> Result<()> {
     }
     paths.sort();
     for path in paths {
+        let name = path.file_stem().unwrap_or_default().display().to_string();
+        if name.contains('.') {
+            continue;
+        }
         let picture = image::open(&path).with_context(|| path.display().to_string())?;
         let (width, height) = (picture.width(), picture.height());
         let small = picture.resize(STILL_WIDTH, height, FilterType::Triangle).to_rgb8();
         let mut bytes = Vec::new();
         JpegEncoder::new_with_quality(&mut bytes, STILL_QUALITY).encode_image(&small)?;
-        let (name, bytes) = (path.file_stem().unwrap_or_default(), STANDARD.encode(bytes));
+        let bytes = STANDARD.encode(bytes);
         let _ = writeln!(
             style,
-            ".{} {{ aspect-ratio: {width} / {height}; background-image: url(data:image/jpeg;base64,{bytes}); }}",
-            name.display()
+            ".{name} {{ aspect-ratio: {width} / {height}; background-image: url(data:image/jpeg;base64,{bytes}); }}"
         );
     }
     Ok(())
