@@ -14,8 +14,9 @@ use tests::STEPS;
 use tests::root;
 use tests::updating_snapshots;
 
-/// How many lines of the diff to each step may be added or removed, from step 02 on.
-const BUDGETS: [usize; STEPS.len() - 1] = [78, 114, 140, 72, 62, 68];
+/// How many lines of the diff to each step may be added or removed, from step 02 on; a step that is
+/// not in it yet has the median.
+const BUDGETS: &[usize] = &[78, 114, 140, 72, 62, 68];
 
 /// The largest budget, and the largest median of all.
 const LARGEST: usize = 140;
@@ -178,9 +179,14 @@ fn diff_is_the_committed_one() {
     }
 }
 
+/// The budget of each step, from step 02 on.
+fn budgets() -> impl Iterator<Item = usize> {
+    BUDGETS.iter().copied().chain(std::iter::repeat(MEDIAN)).take(STEPS.len() - 1)
+}
+
 #[test]
 fn diff_is_within_its_budget() {
-    for ((previous, step), budget) in pairs().zip(BUDGETS) {
+    for ((previous, step), budget) in pairs().zip(budgets()) {
         let changed = changed_lines(&unified_diff(step)).len();
         assert!(
             changed <= budget,
@@ -285,7 +291,7 @@ fn source_reads_well() {
 
 #[test]
 fn budgets_are_small() {
-    let mut budgets = BUDGETS;
+    let mut budgets: Vec<usize> = budgets().collect();
     budgets.sort_unstable();
     let half = budgets.len() / 2;
     let median = (budgets[half - 1 + budgets.len() % 2] + budgets[half]).div_ceil(2);
@@ -296,10 +302,11 @@ fn budgets_are_small() {
 
 #[test]
 fn the_last_step_is_short() {
-    let files = files(STEPS[6]);
+    let last = STEPS[STEPS.len() - 1];
+    let files = files(last);
     let sources = files.iter().filter(|(path, _)| path.starts_with("src/"));
     let lines: usize = sources.map(|(_, text)| text.lines().count()).sum();
-    assert!(lines <= LINES, "{} has {lines} lines in src/, and may have {LINES}", STEPS[6]);
+    assert!(lines <= LINES, "{last} has {lines} lines in src/, and may have {LINES}");
 }
 
 /// What is said of one thing alone never changes, so that a slide is read once.

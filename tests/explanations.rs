@@ -304,7 +304,11 @@ impl<S: Package> Sheet<'_, S> {
                 // The weights are shown with the decimals of the largest.
                 all(sum, v("L_d").length() + l_s.length())
             }
-            other => panic!("{}: nobody computes '{other}' anew", S::NAME),
+            other => panic!(
+                "{}: nobody computes '{other}' anew: write its law into `expected` of \
+                 tests/explanations.rs, from the lines told before it",
+                S::NAME
+            ),
         }
     }
 

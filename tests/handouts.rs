@@ -169,7 +169,8 @@ fn originals() -> impl Iterator<Item = Readme> {
     readmes().into_iter().filter(|readme| !readme.is_translated())
 }
 
-/// All READMEs: those of the root, of the steps, and of whatever else holds one.
+/// All READMEs: those of the root, of the steps, and of whatever else holds one; and how to add to
+/// them.
 fn readmes() -> Vec<Readme> {
     fn collect(folder: &Path, found: &mut Vec<PathBuf>) {
         for entry in fs::read_dir(folder).expect("the folder can be read").flatten() {
@@ -177,7 +178,7 @@ fn readmes() -> Vec<Readme> {
             let name = name.to_string_lossy();
             if path.is_dir() && !name.starts_with('.') && name != "target" {
                 collect(&path, found);
-            } else if name.starts_with("README") {
+            } else if name.starts_with("README") || name == "CONTRIBUTING.md" {
                 found.push(path);
             }
         }
@@ -614,7 +615,9 @@ fn what_is_to_be_seen_is_seen() {
                 && !["--pixel", "--samples"].iter().any(|flag| code.contains(flag))
                 && !SEEN.iter().any(|(number, _, after, _)| *number == index + 1 && after == code)
             {
-                wrong.push(format!("{step}: nothing says what is to be seen with {code}"));
+                wrong.push(format!(
+                    "{step}: SEEN of tests/handouts.rs does not say what is to be seen with {code}"
+                ));
             }
         }
     }

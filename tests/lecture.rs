@@ -39,10 +39,13 @@ fn picture(name: &str, arguments: &str) -> RgbImage {
 
 #[test]
 fn what_is_wrong_gets_one_line() {
-    const WRONG: &[(&str, &[&str])] = &[
-        ("--step 0", &["'0'", "1 to 7"]),
-        ("--step 8", &["'8'", "1 to 7"]),
-        ("--step six", &["'six'", "1 to 7"]),
+    let last = STEPS.len();
+    let (all, but_the_first) = (format!("1 to {last}"), format!("--step 2 to {last}"));
+    let beyond = format!("--step {}", last + 1);
+    let wrong: &[(&str, &[&str])] = &[
+        ("--step 0", &["'0'", &all]),
+        (&beyond, &[&all]),
+        ("--step six", &["'six'", &all]),
         ("--step", &["--step <N>", "value is required"]),
         ("--step 6 --divide 1.5", &["'1.5'", "0 to 1"]),
         ("--step 6 --divide -0.1", &["'-0.1'", "0 to 1"]),
@@ -50,7 +53,7 @@ fn what_is_wrong_gets_one_line() {
         ("--step 6 --divide 0.5 --difference", &["--divide <PART>", "cannot be used"]),
         ("--step 6 --difference --check step06_shadows", &["--difference", "cannot be used"]),
         ("--step 6 --divide 0.5 --compare a.png", &["--divide <PART>", "cannot be used"]),
-        ("--divide 0.5", &["no step before step 1", "--step 2 to 7"]),
+        ("--divide 0.5", &["no step before step 1", &but_the_first]),
         ("--difference --step 1", &["no step before step 1"]),
         ("--page a.html --step 2", &["--page <FILE>", "cannot be used"]),
         ("--step 6 --set k_s=0.5", &["no control 'k_s'", "k_d"]),
@@ -58,7 +61,7 @@ fn what_is_wrong_gets_one_line() {
         ("--step 2 --size 9x9 --pixel 9,0", &["no pixel 9,0"]),
         ("--steps 2", &["--steps"]),
     ];
-    for (arguments, words) in WRONG {
+    for (arguments, words) in wrong {
         let folder = tempdir().expect("a folder");
         let output = run(LECTURE, arguments, folder.path());
         let line = only_line(&output);

@@ -1,4 +1,4 @@
-//! Steps 04 to 07 show the lecture's scene as POV-Ray does: `references/` has its pictures, and
+//! From step 04 on each shows the lecture's scene as POV-Ray does: `references/` has its pictures, and
 //! the scene that it made them from.
 
 use std::path::Path;
@@ -16,8 +16,6 @@ checks!(scenes {
     reference_is_what_pov_ray_makes_of_the_scene,
 });
 
-const FILES: [&str; 4] = ["step04.png", "step05.png", "step06.png", "step07.png"];
-
 const SIZE: (usize, usize) = (960, 540);
 
 fn reference(file: &str) -> PathBuf {
@@ -26,8 +24,10 @@ fn reference(file: &str) -> PathBuf {
 
 fn is_the_reference(file: &str, name: &str, found: &RgbImage) {
     let expected = read_picture(&reference(file));
-    let others = FILES.into_iter().filter(|&other| other != file);
-    let others: Vec<_> = others.map(|other| (other, read_picture(&reference(other)))).collect();
+    let others = STEPS.map(self::file);
+    let others = others.iter().filter(|other| *other != file && reference(other).exists());
+    let others: Vec<_> =
+        others.map(|other| (other.as_str(), read_picture(&reference(other)))).collect();
     match compare(name, &expected, found, &others, Path::new(env!("CARGO_TARGET_TMPDIR"))) {
         Ok(comparison) => say(&format!("{name}: {comparison}")),
         Err(how) => panic!("{how}"),
@@ -35,22 +35,22 @@ fn is_the_reference(file: &str, name: &str, found: &RgbImage) {
 }
 
 /// The reference of a step: step04.png of step04_scene.
-fn file<S: Scenes>() -> &'static str {
-    let file = FILES.into_iter().find(|file| S::NAME.starts_with(file.trim_end_matches(".png")));
-    file.expect("steps with scenes have a reference")
+fn file(step: &str) -> String {
+    let (number, _) = step.split_once('_').expect("a step's name is stepNN_CONCEPT");
+    format!("{number}.png")
 }
 
 fn shows_what_pov_ray_does<S: Scenes>() {
     let step = S::default();
     let found = picture(&step, &step.view(), SIZE.0, SIZE.1);
-    is_the_reference(file::<S>(), &format!("{}_and_pov_ray", S::NAME), &found);
+    is_the_reference(&file(S::NAME), &format!("{}_and_pov_ray", S::NAME), &found);
 }
 
 fn reference_is_what_pov_ray_makes_of_the_scene<S: Scenes>() {
-    let file = file::<S>();
+    let file = file(S::NAME);
     let number = file.trim_start_matches("step0").trim_end_matches(".png");
     let made = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("pov_ray_{file}"));
     let declared = format!("Step={number}");
     let found = povray::render(&reference("lecture.pov"), &[&declared], SIZE, &made);
-    is_the_reference(file, &format!("reference_{file}_and_pov_ray_now"), &found);
+    is_the_reference(&file, &format!("reference_{file}_and_pov_ray_now"), &found);
 }

@@ -375,7 +375,7 @@ function showStep() {
   if (!formulas.has(shown)) formulas.set(shown, shown.querySelector(".equation"));
   $("formula").replaceChildren(formulas.get(shown));
   $("formula").lang = language;
-  document.title = `${heading} · ${text("Ray tracing in seven steps")}`;
+  document.title = `${heading} · ${text("Ray tracing, step by step")}`;
   $("now").setAttribute("aria-label", heading);
 }
 
@@ -771,7 +771,7 @@ function buttons() {
     if (event.ctrlKey || event.altKey || event.metaKey || !run || /^(INPUT|SELECT)$/.test(event.target.tagName)) return;
     if (event.key === "PageDown") go(state.step + 1);
     else if (event.key === "PageUp") go(state.step - 1);
-    else if (/^[1-7]$/.test(event.key)) go(Number(event.key));
+    else if (/^[1-9]$/.test(event.key)) go(Number(event.key));
     else if (event.key === "b") hold(true);
     else if (event.key === "d") $("divide").click();
     else if (event.key === "v") $("vectors").click();

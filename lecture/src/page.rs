@@ -220,7 +220,7 @@ impl Page {
     ///
     /// | command | what it does |
     /// |---|---|
-    /// | `open N` | shows step N, 1 to 7, as it starts |
+    /// | `open N` | shows step N, from 1 on, as it starts |
     /// | `step N` | goes to step N and takes all changes along |
     /// | `set NAME VALUE` | as `--set` does |
     /// | `fraction NAME F` | moves a slider to F of its range |

@@ -98,7 +98,7 @@ pub const KEYS: &[(&str, &str)] = &[
 /// What there is in a session of several programs besides.
 pub const LECTURE_KEYS: &[(&str, &str)] = &[
     ("Page Down, Up", "the next step, or the one before"),
-    ("1 to 7", "that step"),
+    ("1, 2, 3 …", "that step"),
     ("Tab", "as long as it is held, the step before"),
     ("D", "the step before left of a line that can be dragged"),
     ("X", "where the step before differs, times 8"),
