@@ -9,6 +9,10 @@ use std::path::Path;
 use std::path::PathBuf;
 use std::process::Output;
 
+use common::KEYS;
+use common::LECTURE_KEYS;
+use common::Language;
+use common::translated;
 use pulldown_cmark::CodeBlockKind;
 use pulldown_cmark::Event;
 use pulldown_cmark::HeadingLevel;
@@ -666,6 +670,128 @@ fn what_a_pixel_tells_is_told() {
             .collect();
         let missing = lines.iter().filter(|line| !told.iter().any(|told| told == *line));
         wrong.extend(missing.map(|line| format!("step {number}, {arguments}: not told: {line}")));
+    }
+    none(wrong);
+}
+
+/// What the handouts say in words that a pixel's explanation says: of a step, with `--pixel` and
+/// whatever else is set, in each language a line of it, spaces apart, and how the handout puts it.
+type Quoted = (usize, &'static str, [(&'static str, &'static str); 2]);
+
+#[rustfmt::skip]
+const QUOTED: &[Quoted] = &[
+    (3, "--pixel 100,270", [("outside β < 0", "outside, β < 0"), ("fora β < 0", "fora, β < 0")]),
+    (6, "--pixel 240,420", [("blocked by green sphere", "blocked by the green sphere"), ("bloqueada por esfera verde", "bloqueada pela esfera verde")]),
+    (6, "--pixel 240,420", [("key light", "the key light has V = 1"), ("luz principal", "a luz principal (key) tem V = 1")]),
+    (6, "--pixel 240,420", [("fill light", "the fill light V = 0"), ("luz de preenchimento", "a de preenchimento (fill) tem V = 0")]),
+    (6, "--set epsilon=0 --pixel 480,270", [("blocked by red sphere", "the red sphere is blocked by the red sphere"), ("bloqueada por esfera vermelha", "a esfera vermelha é bloqueada pela esfera vermelha")]),
+];
+
+#[test]
+fn what_is_quoted_of_a_pixel_is_told_in_each_language() {
+    let spaced = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let mut wrong = Vec::new();
+    for (number, arguments, quoted) in QUOTED {
+        let (flags, at) = arguments.split_once("--pixel ").expect("a pixel");
+        let (col, row) = at.split_once(',').expect("a column and a row");
+        let [col, row] = [col, row].map(|number| number.parse().expect("a number"));
+        let (setup, size) = (set_up(number - 1, flags), Size::DEFAULT);
+        let (width, height) = (size.width(), size.height());
+        let camera = setup.view().camera(size.aspect());
+        let explanation = setup.step().explain(&*camera, Pixel { col, row, width, height });
+        let languages =
+            [(Language::English, "README.md"), (Language::Portuguese, "README.pt-BR.md")];
+        for ((language, file), (line, prose)) in languages.into_iter().zip(quoted) {
+            language.speak();
+            let told = explanation.to_string();
+            let path = Path::new(STEPS[number - 1]).join(file);
+            let handout = fs::read_to_string(root().join(&path)).expect("a handout");
+            if !told.lines().any(|told| spaced(told) == *line) {
+                wrong.push(format!("{}, {arguments}: not told: {line}", path.display()));
+            }
+            if !spaced(&handout).contains(prose) {
+                wrong.push(format!("{} does not say: {prose}", path.display()));
+            }
+            if !handout.contains(&format!("`{arguments}`")) {
+                wrong.push(format!("{} does not have {arguments}", path.display()));
+            }
+        }
+    }
+    Language::English.speak();
+    none(wrong);
+}
+
+/// What programs print stands nowhere but in what is [`QUOTED`] and [`TOLD`]: it would be another in
+/// each language.
+#[test]
+fn fences_hold_what_is_held_to_something() {
+    let mut wrong = Vec::new();
+    for readme in readmes() {
+        for part in &readme.parts {
+            match part {
+                Part::Fence(language, _) if ["sh", "diff", "rust"].contains(&language.as_str()) => {
+                }
+                // The layout.
+                Part::Fence(language, text) if language == "text" => {
+                    let paths = commands(text).filter(|path| *path != "…");
+                    let missing = paths.filter(|path| !root().join(path).exists());
+                    wrong.extend(missing.map(|path| format!("{}: no {path}", readme.name())));
+                }
+                Part::Fence(language, text) => {
+                    wrong.push(format!("{}: what is {language:?}? {text}", readme.name()));
+                }
+                _ => {}
+            }
+        }
+    }
+    none(wrong);
+}
+
+#[test]
+fn the_keys_are_those_of_the_window_in_each_language() {
+    let mut wrong = Vec::new();
+    for (language, file) in
+        [(Language::English, "README.md"), (Language::Portuguese, "README.pt-BR.md")]
+    {
+        language.speak();
+        let readme = Readme::read(Path::new(file));
+        let texts = readme.parts.iter().filter_map(|part| match part {
+            Part::Text(text) => Some(text.as_str()),
+            _ => None,
+        });
+        let texts: Vec<&str> = texts.collect();
+        for (keys, _) in KEYS.iter().chain(LECTURE_KEYS) {
+            for key in translated(keys).split(", ").map(|key| key.replace('-', "−")) {
+                let is_key = |text: &str| {
+                    text.split(", ").chain(text.split([',', ' '])).any(|found| found == key)
+                };
+                if !texts.iter().any(|text| is_key(text)) {
+                    wrong.push(format!("{file} does not know the key {key}"));
+                }
+            }
+        }
+    }
+    Language::English.speak();
+    none(wrong);
+}
+
+#[test]
+fn no_place_is_left_to_be_filled_in() {
+    let mut wrong = Vec::new();
+    for readme in readmes() {
+        for part in &readme.parts {
+            let (Part::Text(text) | Part::Heading(_, text)) = part else { continue };
+            let is_capital = |part: &str| {
+                part.contains(|letter: char| letter.is_ascii_uppercase())
+                    && !part.contains(|letter: char| letter.is_lowercase())
+            };
+            let left = text.split_whitespace().find(|word| {
+                let mut parts = word.split('_');
+                let all_capital = word.contains('_') && parts.all(|part| is_capital(part));
+                all_capital || word.contains(['{', '}']) || ["TODO", "XXX"].contains(word)
+            });
+            wrong.extend(left.map(|word| format!("{}: {word} in {text}", readme.name())));
+        }
     }
     none(wrong);
 }

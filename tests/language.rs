@@ -6,9 +6,12 @@ use std::fs;
 use std::path::Path;
 use std::rc::Rc;
 
+use common::Anchor;
+use common::Canvas;
 use common::Event;
 use common::Explanation;
 use common::Font;
+use common::Ink;
 use common::KEYS;
 use common::Key;
 use common::LECTURE_KEYS;
@@ -20,6 +23,8 @@ use common::Session;
 use common::Size;
 use common::marks;
 use common::translated;
+use image::Rgb;
+use image::RgbImage;
 use tempfile::tempdir;
 use tests::STEPS;
 use tests::command;
@@ -363,6 +368,45 @@ fn the_first_variable_that_says_something_decides_unless_a_language_is_asked_for
             let asked = asked.map(|asked| ["--language", asked]);
             let arguments = [asked.as_ref().map_or(&[][..], |asked| asked), &arguments].concat();
             is_spoken(language, &run(STEPS[5], locale, &arguments));
+        }
+    }
+}
+
+/// Whether `text` stands alone in a line of `image`, `left` pixels from its edge.
+fn is_written(image: &RgbImage, left: f32, size: f32, ink: Ink, text: &str) -> bool {
+    let height = Font::line_height(size).floor() as u32;
+    let mut line = RgbImage::from_pixel(image.width(), height, Rgb([21, 24, 31]));
+    Canvas::new(&mut line).text((left, 0.0), Anchor::TopLeft, size, ink, text);
+    let pixels = 3 * image.width() as usize;
+    image.as_raw().windows(line.as_raw().len()).step_by(pixels).any(|lines| lines == line.as_raw())
+}
+
+#[test]
+fn the_keys_are_shown_in_the_language_of_the_session() {
+    // So high that all lines can be seen, and so wide that none is broken.
+    let window = Size::new(1000, 4000).expect("a size");
+    let em = 0.0385 * 0.75 * 1000.0;
+    for (_, language) in Language::ALL {
+        language.speak();
+        let program = |index| Program::new(STEPS[index], "", window, Rc::new(move || step(index)));
+        let programs = (0..STEPS.len()).map(program).collect();
+        let mut session = Session::new(programs, 5, setup(5), Size::DEFAULT, 1);
+        session.handle(Event::Resize(window));
+        session.handle(Event::Key(Key::F(1), false));
+        let mut image = RgbImage::new(1000, 4000);
+        session.paint(&mut image, &[], "");
+        for (key, effect) in KEYS.iter().chain(LECTURE_KEYS) {
+            for (left, ink, english) in
+                [(0.6, Ink::new(255, 208, 64), key), (1.55, Ink::grey(238), effect)]
+            {
+                let [its, others] = [language, language.other()].map(|language| {
+                    language.speak();
+                    translated(english)
+                });
+                let is_written = |text| is_written(&image, left * em, em, ink, text);
+                assert!(is_written(its), "not in {language:?}: {its}");
+                assert!(its == others || !is_written(others), "not in {language:?}: {others}");
+            }
         }
     }
 }

@@ -8,6 +8,7 @@ use common::Effect;
 use common::Event;
 use common::Frame;
 use common::Key;
+use common::Language;
 use common::Program;
 use common::Session;
 use common::Setup;
@@ -22,6 +23,7 @@ use tests::command;
 use tests::files;
 use tests::only_line;
 use tests::read_picture;
+use tests::setup;
 
 const LECTURE: &str = "lecture";
 
@@ -156,6 +158,8 @@ fn each_step_has_its_handout_in_short() {
         let Program { name, concept, slides, diff, idea, .. } = program;
         assert_eq!(name, STEPS[index]);
         assert!(!concept.is_empty() && slides.starts_with('«') && slides.ends_with('»'), "{name}");
+        let titles: Vec<&str> = slides.trim_matches(['«', '»']).split("», «").collect();
+        assert!(!titles.concat().contains(['«', '»']), "{name} has words beside titles: {slides}");
         assert_eq!(diff.is_empty(), index == 0, "{name}");
         let (question, rest) = idea.split_once("\n\n").expect("a question");
         assert!(question.ends_with('?'), "{question}");
@@ -211,6 +215,26 @@ fn change_everything(session: &mut Session) {
         session.handle(Event::Key(Key::Down, false));
         if session.selected().map(str::to_owned) == first {
             break;
+        }
+    }
+}
+
+#[test]
+fn what_stands_below_the_picture_has_room() {
+    let window = Size::DEFAULT;
+    let (width, height) = (window.width() as u32, window.height() as u32);
+    for (_, language) in Language::ALL {
+        language.speak();
+        for (index, name) in STEPS.iter().enumerate() {
+            let mut session = Session::new(programs(), index, setup(index), window, 1);
+            session.handle(Event::Resize(window));
+            let mut image = RgbImage::new(width, height);
+            session.paint(&mut image, &[], "");
+            // Where it does not, letters are cut off by the window's edge.
+            let right = session.picture_area().right() as u32;
+            let places = (height - 6..height).flat_map(|row| (0..right).map(move |col| (col, row)));
+            let mut below = places.map(|(col, row)| image.get_pixel(col, row));
+            assert!(below.all(|pixel| *pixel == Rgb([21, 24, 31])), "{name}, {language:?}");
         }
     }
 }

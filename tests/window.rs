@@ -116,12 +116,22 @@ struct Running<'a> {
 
 impl<'a> Running<'a> {
     fn start(display: &'a Display, folder: &'a Path, index: usize, options: &[&str]) -> Self {
+        Self::start_in("C", display, folder, index, options)
+    }
+
+    /// A step on a system whose language is `locale`.
+    fn start_in(
+        locale: &str, display: &'a Display, folder: &'a Path, index: usize, options: &[&str],
+    ) -> Self {
         let name = STEPS[index];
         let program = Command::new(program(name))
             .args(options)
             .current_dir(folder)
             .env("DISPLAY", &display.name)
             .env_remove("WAYLAND_DISPLAY")
+            .env_remove("LC_ALL")
+            .env_remove("LC_MESSAGES")
+            .env("LANG", locale)
             .stdout(File::create(folder.join("output")).expect("a file"))
             .stderr(File::create(folder.join("errors")).expect("a file"))
             .spawn()
@@ -140,6 +150,12 @@ impl<'a> Running<'a> {
     fn act(&self, commands: &str) {
         let commands = commands.replace("WINDOW", &self.window);
         assert!(self.display.ask(&commands).is_some(), "xdotool {commands}");
+    }
+
+    /// Waits until the window is called `title`.
+    fn is_called(&self, title: &str) {
+        let commands = format!("getwindowname {}", self.window);
+        until(title, || (self.display.ask(&commands)?.trim_end() == title).then_some(()));
     }
 
     fn errors(&self) -> String {
@@ -200,6 +216,23 @@ fn keys_and_the_mouse_arrive() {
     // The first unpins.
     running.act("key Escape key Escape");
     assert_eq!(running.ends(), Some(0));
+}
+
+#[test]
+#[ignore = "needs Xvfb and xdotool"]
+fn the_title_is_in_the_language_of_the_system_and_then_of_the_window() {
+    let folder = folder("title");
+    let display = Display::start();
+    let english = "step06_shadows: Shadows, several lights and ambient light";
+    let portuguese = "step06_shadows: Sombras, várias luzes e luz ambiente";
+    for (locale, first, second) in
+        [("pt_BR.UTF-8", portuguese, english), ("C", english, portuguese)]
+    {
+        let running = Running::start_in(locale, &display, &folder, 5, &[]);
+        running.is_called(first);
+        running.act("key g");
+        running.is_called(second);
+    }
 }
 
 /// As by Alt+Shift+Tab.

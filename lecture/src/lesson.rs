@@ -48,6 +48,8 @@ impl Lesson {
                 Event::End(TagEnd::BlockQuote(_)) if section == 0 => question = text.clone(),
                 Event::End(TagEnd::Paragraph) if section == 0 => {
                     if let Some(slides) = text.strip_prefix(SLIDES) {
+                        // The sentence after them is about the background.
+                        let slides = slides.split(". ").next().unwrap_or_default();
                         lesson.slides = slides.trim_end_matches('.').to_owned();
                     }
                 }

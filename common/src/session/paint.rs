@@ -166,8 +166,7 @@ impl Session {
             }
         }
         top += 0.5 * em;
-        let hint =
-            text!("click a pixel to see its equations · F1 all keys · Space the picture alone");
+        let hint = text!("click a pixel to see its equations · F1 all keys");
         let (text, ink) = said.map_or((hint, FAINT), |said| (said, TEXT));
         let bottom = draw_text(&mut canvas, Area { top, ..area }, em, ink, text);
         if bottom + row <= area.bottom() {
