@@ -787,7 +787,7 @@ fn no_place_is_left_to_be_filled_in() {
             };
             let left = text.split_whitespace().find(|word| {
                 let mut parts = word.split('_');
-                let all_capital = word.contains('_') && parts.all(|part| is_capital(part));
+                let all_capital = word.contains('_') && parts.all(is_capital);
                 all_capital || word.contains(['{', '}']) || ["TODO", "XXX"].contains(word)
             });
             wrong.extend(left.map(|word| format!("{}: {word} in {text}", readme.name())));
