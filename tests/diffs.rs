@@ -22,8 +22,8 @@ const BUDGETS: &[usize] = &[78, 114, 140, 72, 62, 68];
 const LARGEST: usize = 140;
 const MEDIAN: usize = 75;
 
-/// The most lines that the last step may have.
-const LINES: usize = 500;
+/// The most lines that the last step may have, for each step up to it.
+const LINES: usize = 71;
 
 /// Lines that leave a file and come back because two concepts happen to need them, with the file.
 const COME_BACK: [(&str, &str); 1] =
@@ -306,7 +306,8 @@ fn the_last_step_is_short() {
     let files = files(last);
     let sources = files.iter().filter(|(path, _)| path.starts_with("src/"));
     let lines: usize = sources.map(|(_, text)| text.lines().count()).sum();
-    assert!(lines <= LINES, "{last} has {lines} lines in src/, and may have {LINES}");
+    let most = LINES * STEPS.len();
+    assert!(lines <= most, "{last} has {lines} lines in src/, and may have {most}");
 }
 
 /// What is said of one thing alone never changes, so that a slide is read once.

@@ -96,6 +96,7 @@ fn from_outside_the_camera_itself_stays() {
 
 #[test]
 fn what_cannot_be_done_is_said_and_changes_nothing() {
+    let beyond = format!("open {}", PROGRAMS.len() + 1);
     let mut page = Page::default();
     text(&mut page, "open 7");
     text(&mut page, "set p 10");
@@ -106,7 +107,7 @@ fn what_cannot_be_done_is_said_and_changes_nothing() {
         "nothing",
         "open",
         "open 0",
-        "open 8",
+        &beyond,
         "open -1",
         "open 99999999999999999999",
         "step x",
