@@ -776,6 +776,31 @@ fn the_keys_are_those_of_the_window_in_each_language() {
 }
 
 #[test]
+fn what_the_equations_are_in_the_code_is_there() {
+    let read = |path: PathBuf| fs::read_to_string(path).expect("text");
+    let ray = read(root().join("common/src/ray.rs"));
+    let mut wrong = Vec::new();
+    for readme in originals() {
+        let Some(index) = readme.step() else { continue };
+        let folder = root().join(STEPS[index]).join("src");
+        let sources = files(&folder).into_iter().map(|name| read(folder.join(name)));
+        let code = ray.clone() + &sources.collect::<String>();
+        let words = |text: &str| -> Vec<String> {
+            let words = text.split(|letter: char| !(letter.is_alphanumeric() || letter == '_'));
+            words.filter(|word| !word.is_empty()).map(str::to_owned).collect()
+        };
+        let known: BTreeSet<String> = words(&code).into_iter().collect();
+        for part in readme.section("The equation") {
+            if let Part::Code(code) = part {
+                let unknown = words(code).into_iter().filter(|word| !known.contains(word));
+                wrong.extend(unknown.map(|word| format!("{}: no {word}", readme.name())));
+            }
+        }
+    }
+    none(wrong);
+}
+
+#[test]
 fn no_place_is_left_to_be_filled_in() {
     let mut wrong = Vec::new();
     for readme in readmes() {

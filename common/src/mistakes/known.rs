@@ -124,6 +124,14 @@ pub(super) const ALL: &[Mistake] = known! {
                 let (a, b, c) = quadratic(said);
                 b * b - 4.0 * a * c
             });
+        "b = 2 d·o goes with b² − 4 a c and 2 a, not with b² − a c and a" =>
+            told(|said|
+                "discriminant =" => {
+                    let (a, b, c) = quadratic(said);
+                    4.0 * b * b - a * c
+                },
+                "t₁ =" => doubled(said, -1.0),
+                "t₂ =" => doubled(said, 1.0));
         "The radius is not squared: c = o·o − radius²" =>
             told(|said, c: f32| "c =" => {
                 let radius_squared = vector(said, "o").length_squared() - c;
@@ -148,6 +156,10 @@ pub(super) const ALL: &[Mistake] = known! {
         "β has the wrong sign" => told(|_, beta: f32| "β =" => -beta);
         "γ has the wrong sign" => told(|_, gamma: f32| "γ =" => -gamma);
         "t has the wrong sign" => told(|_, t: f32| "t =" => -t);
+        "A triangle is seen from one side only: D may have either sign" =>
+            told(|said, t: f32| "t =" => if number(said, "D") > 0.0 { -1.0 } else { t });
+        "A triangle is seen from one side only: D may have either sign" =>
+            told(|said, t: f32| "t =" => if number(said, "D") < 0.0 { -1.0 } else { t });
     }
     "Ponto pertencente à triângulo", "outside in triangle.rs" {
         "α ≥ 0 is not asked: the triangle is a parallelogram" =>
@@ -340,6 +352,12 @@ fn quadratic(said: &Explanation) -> (f32, f32, f32) {
 fn root(said: &Explanation, sign: f32) -> f32 {
     let [a, t_0, b] = ["a", "t₀", "b"].map(|symbol| number(said, symbol));
     t_0 + (-b + sign * number(said, "√(b² − a c)")) / a
+}
+
+/// As [`root`], with 2 b for b.
+fn doubled(said: &Explanation, sign: f32) -> f32 {
+    let (a, b, _) = quadratic(said);
+    (-2.0 * b + sign * number(said, "√(b² − a c)")) / a
 }
 
 /// The t of a triangle's plane.
