@@ -71,10 +71,10 @@ fn literals(source: &str) -> Vec<(String, String)> {
     literals
 }
 
-/// The Rust files in `folder` and in its folders.
+/// The Rust files in `folder` and in its folders; a step without figures has no examples.
 fn sources(folder: &Path) -> Vec<String> {
     let mut sources = Vec::new();
-    for entry in fs::read_dir(folder).expect("a folder") {
+    for entry in fs::read_dir(folder).into_iter().flatten() {
         let path = entry.expect("an entry").path();
         if path.is_dir() {
             sources.extend(self::sources(&path));
