@@ -202,9 +202,9 @@ fn keys_and_the_mouse_arrive() {
     running.act("click 4 key c");
     expected.zoom(0.9);
     running.prints(&expected.settings().join(" --set "));
-    // What there is already stays.
+    // What there is already stays. Without vectors the picture is saved alone.
     fs::write(folder.join("step07_specular-1.png"), "another").expect("a file");
-    running.act("key F2");
+    running.act("key v key F2");
     let name = "step07_specular-2.png";
     until("a word about it", || running.errors().contains(name).then_some(()));
     let found = read_picture(&folder.join(name));
