@@ -213,9 +213,16 @@ fn translations_have_the_same_placeholders_and_letters_that_can_be_written() {
 }
 
 #[test]
-fn portuguese_fits_where_it_stands() {
-    Language::Portuguese.speak();
-    for (index, step) in STEPS.iter().enumerate() {
+fn texts_fit_where_they_stand() {
+    let all = |language| STEPS.iter().enumerate().map(move |(index, step)| (language, index, step));
+    for (language, index, step) in
+        [Language::English, Language::Portuguese].into_iter().flat_map(all)
+    {
+        language.speak();
+        for setting in setup(index).list() {
+            let group = translated(setting.group);
+            assert!(Font::width(1.0, group) <= 15.0, "too wide for its heading: {group}");
+        }
         for explanation in explanations(index) {
             for line in explanation.to_string().lines() {
                 assert!(line.chars().count() <= 100, "{step}: {line}");
