@@ -24,6 +24,10 @@ use tests::empty_folder;
 use tests::hold_picture;
 use tests::prelude::*;
 
+/// The languages, and what a handout is called in each.
+const LANGUAGES: [(Language, &str); 2] =
+    [(Language::English, "README.md"), (Language::Portuguese, "README.pt-BR.md")];
+
 /// A part of a README that can be held to something.
 #[derive(Clone, Debug, PartialEq)]
 enum Part {
@@ -699,9 +703,7 @@ fn what_is_quoted_of_a_pixel_is_told_in_each_language() {
         let (width, height) = (size.width(), size.height());
         let camera = setup.view().camera(size.aspect());
         let explanation = setup.step().explain(&*camera, Pixel { col, row, width, height });
-        let languages =
-            [(Language::English, "README.md"), (Language::Portuguese, "README.pt-BR.md")];
-        for ((language, file), (line, prose)) in languages.into_iter().zip(quoted) {
+        for ((language, file), (line, prose)) in LANGUAGES.into_iter().zip(quoted) {
             language.speak();
             let told = explanation.to_string();
             let path = Path::new(STEPS[number - 1]).join(file);
@@ -750,9 +752,7 @@ fn fences_hold_what_is_held_to_something() {
 #[test]
 fn the_keys_are_those_of_the_window_in_each_language() {
     let mut wrong = Vec::new();
-    for (language, file) in
-        [(Language::English, "README.md"), (Language::Portuguese, "README.pt-BR.md")]
-    {
+    for (language, file) in LANGUAGES {
         language.speak();
         let readme = Readme::read(Path::new(file));
         let texts = readme.parts.iter().filter_map(|part| match part {
