@@ -5,11 +5,6 @@
 
 use std::rc::Rc;
 
-use common::Event;
-use common::Key;
-use common::Program;
-use common::Session;
-use common::Wanted;
 use divan::Bencher;
 use divan::black_box;
 use image::RgbImage;
@@ -22,6 +17,12 @@ use lecture::step07_specular::scene::lecture_scene;
 use lecture::step07_specular::sphere::Sphere;
 use lecture::step07_specular::surface::Surface;
 use lecture::step07_specular::triangle::Triangle;
+use show::Event;
+use show::Key;
+use show::Program;
+use show::Session;
+use show::Wanted;
+use show::render_parallel;
 use tests::prelude::*;
 
 fn main() {
@@ -33,7 +34,7 @@ fn render(bencher: Bencher<'_, '_>, step: &str, height: usize, parallel: bool) {
     let (step, size) = (tests::step(index), Size::new(height * 16 / 9, height).expect("a size"));
     let camera = step.view().camera(size.aspect());
     let frame = Frame { step: &*step, camera: &*camera, size, samples: 1 };
-    bencher.bench_local(|| if parallel { frame.render_parallel(|_| ()) } else { frame.render() });
+    bencher.bench_local(|| if parallel { render_parallel(&frame, |_| ()) } else { frame.render() });
 }
 
 /// Milliseconds a picture of a million pixels, on one core: nanoseconds a pixel.
@@ -97,7 +98,8 @@ fn dragged_frame(bencher: Bencher<'_, '_>, shown: &str) {
         session.handle(Event::Move(x, 100.0));
         let render = |wanted: &Wanted<'_>| {
             let (step, camera) = (wanted.setup.step(), &*wanted.camera);
-            Frame { step, camera, size: wanted.size, samples: 1 }.render_parallel(|_| ())
+            let frame = Frame { step, camera, size: wanted.size, samples: 1 };
+            render_parallel(&frame, |_| ())
         };
         let pictures: Vec<RgbImage> = session.pictures().iter().map(render).collect();
         session.paint(&mut window, &pictures.iter().collect::<Vec<_>>(), "");

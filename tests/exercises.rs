@@ -11,11 +11,11 @@ use std::process::Command;
 use std::process::Output;
 use std::rc::Rc;
 
-use common::Mistake;
-use common::Pair;
 use image::Rgb;
 use image::RgbImage;
 use image::imageops;
+use show::Mistake;
+use show::Pair;
 use tempfile::tempdir;
 use tests::empty_folder;
 use tests::prelude::*;

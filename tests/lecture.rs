@@ -4,19 +4,19 @@
 use std::path::Path;
 use std::process::Output;
 
-use common::Effect;
-use common::Event;
 use common::Frame;
-use common::Key;
 use common::Language;
-use common::Program;
-use common::Session;
-use common::Setup;
 use common::Size;
-use common::Wanted;
 use image::Rgb;
 use image::RgbImage;
 use lecture::programs;
+use show::Effect;
+use show::Event;
+use show::Key;
+use show::Program;
+use show::Session;
+use show::Setup;
+use show::Wanted;
 use tempfile::tempdir;
 use tests::STEPS;
 use tests::command;

@@ -24,19 +24,19 @@ use std::sync::LazyLock;
 
 use common::Camera;
 use common::Color;
-use common::Comparison;
 use common::Frame;
 use common::Image;
-use common::Setup;
 use common::Size;
 use common::Step;
 use common::View;
-use common::side_by_side;
 use image::RgbImage;
 use image::codecs::png::CompressionType;
 use image::codecs::png::FilterType;
 use image::codecs::png::PngEncoder;
 use lecture::PROGRAMS;
+use show::Comparison;
+use show::Setup;
+use show::side_by_side;
 
 /// Whether a window needs a display that can be taken away from a program, which then writes its
 /// picture to a file. Elsewhere it would open a window and wait for its user.

@@ -6,10 +6,10 @@
 use std::path::Path;
 use std::path::PathBuf;
 
-use common::Comparison;
-use common::side_by_side;
 use image::Rgb;
 use image::RgbImage;
+use show::Comparison;
+use show::side_by_side;
 use tests::hold_picture;
 use tests::prelude::*;
 

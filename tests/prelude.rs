@@ -9,14 +9,14 @@ pub use common::Image;
 pub use common::Pixel;
 pub use common::Projection;
 pub use common::Ray;
-pub use common::Setting;
-pub use common::Setup;
 pub use common::Silent;
 pub use common::Size;
 pub use common::Step;
 pub use common::Vec3;
 pub use common::View;
 pub use common::encode;
+pub use show::Setting;
+pub use show::Setup;
 
 pub use crate::STEPS;
 pub use crate::X11;

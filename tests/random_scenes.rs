@@ -15,7 +15,6 @@ use std::path::Path;
 
 use common::OrthographicCamera;
 use common::PerspectiveCamera;
-use common::side_by_side;
 use fastrand::Rng;
 use image::Rgb;
 use image::RgbImage;
@@ -27,6 +26,7 @@ use lecture::step07_specular::scene::Scene;
 use lecture::step07_specular::sphere::Sphere;
 use lecture::step07_specular::surface::Surface;
 use lecture::step07_specular::triangle::Triangle;
+use show::side_by_side;
 use tests::povray;
 use tests::prelude::*;
 use tests::say;

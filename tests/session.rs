@@ -3,17 +3,17 @@
 use std::rc::Rc;
 
 use common::Area;
-use common::Effect;
-use common::Event;
 use common::Ink;
-use common::Key;
-use common::Program;
-use common::Session;
-use common::Wanted;
-use common::symbol_ink;
 use image::Rgb;
 use image::RgbImage;
 use image::imageops;
+use show::Effect;
+use show::Event;
+use show::Key;
+use show::Program;
+use show::Session;
+use show::Wanted;
+use show::symbol_ink;
 use tests::prelude::*;
 
 const WINDOW: Size = Size::DEFAULT;

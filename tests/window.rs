@@ -18,9 +18,9 @@ use std::thread;
 use std::time::Duration;
 use std::time::Instant;
 
-use common::Comparison;
 use common::Frame;
 use common::Size;
+use show::Comparison;
 use tests::STEPS;
 use tests::empty_folder;
 use tests::picture;

@@ -259,7 +259,7 @@ impl Control<'_> {
     }
 
     /// Takes the number nearest to `number` in its range; nothing happens to what is no number.
-    pub(crate) fn set_nearest(&mut self, number: f32) {
+    pub fn set_nearest(&mut self, number: f32) {
         if let Kind::Number(value, range) | Kind::Logarithmic(value, range) = &mut self.kind
             && !number.is_nan()
         {
@@ -343,7 +343,7 @@ impl Control<'_> {
 }
 
 /// What a name is called on a command line.
-pub(crate) fn first_word(name: &'static str) -> &'static str {
+pub fn first_word(name: &'static str) -> &'static str {
     name.split(' ').next().unwrap_or(name)
 }
 

@@ -28,7 +28,7 @@ pub struct Explanation {
 
 /// What hands back another value than the one told, given what was told before: to see where a
 /// mistake in one line leads. Others it hands back as they are.
-pub(crate) type Slip = fn(&Explanation, &'static str, Value) -> Value;
+pub type Slip = fn(&Explanation, &'static str, Value) -> Value;
 
 /// A part of the algorithm.
 #[derive(Clone, Debug, PartialEq)]
@@ -242,7 +242,7 @@ impl Explanation {
 
     /// As [`new`](Self::new), but each value told is handed back as `slips` change it, one after the
     /// other: the step goes on computing with that.
-    pub(crate) fn mistaken(pixel: Pixel, slips: &[Slip]) -> Self {
+    pub fn mistaken(pixel: Pixel, slips: &[Slip]) -> Self {
         let (sections, terms, slips) = (Vec::new(), Vec::new(), slips.to_vec());
         Self { pixel, color: Color::ZERO, sections, terms, slips }
     }

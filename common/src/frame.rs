@@ -184,24 +184,4 @@ impl Frame<'_> {
         self.step.draw_over(self.camera, &mut Canvas::new(&mut picture));
         picture
     }
-
-    /// Renders the whole picture on all cores, and calls `done` with a number of rows whenever
-    /// that many more are finished.
-    #[cfg(feature = "desktop")]
-    pub fn render_parallel(&self, done: impl Fn(usize) + Sync) -> RgbImage {
-        use rayon::iter::IndexedParallelIterator;
-        use rayon::iter::ParallelIterator;
-        use rayon::slice::ParallelSliceMut;
-
-        let mut picture = RgbImage::new(self.size.width as u32, self.size.height as u32);
-        // Small bands, because rows cost as much as what is seen in them.
-        let rows = 4;
-        let bands = picture.par_chunks_mut(3 * self.size.width * rows).enumerate();
-        bands.for_each(|(band, rgb)| {
-            self.render_rows(band * rows, rgb);
-            done(rgb.len() / (3 * self.size.width));
-        });
-        self.step.draw_over(self.camera, &mut Canvas::new(&mut picture));
-        picture
-    }
 }

@@ -39,18 +39,6 @@ impl Language {
         }
     }
 
-    /// That of the system: of the first of the variables LC_ALL, LC_MESSAGES and LANG that says
-    /// something, or else, on Windows and macOS, the one that its user has set.
-    #[cfg(feature = "desktop")]
-    pub(crate) fn of_system() -> Self {
-        let variables = ["LC_ALL", "LC_MESSAGES", "LANG"];
-        let locales = variables.iter().filter_map(|name| std::env::var(name).ok());
-        let locale = locales.into_iter().find(|locale| !locale.is_empty());
-        #[cfg(any(windows, target_os = "macos"))]
-        let locale = locale.or_else(sys_locale::get_locale);
-        Self::of_locale(&locale.unwrap_or_default())
-    }
-
     /// The other one.
     pub fn other(self) -> Self {
         match self {

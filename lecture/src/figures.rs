@@ -1,6 +1,6 @@
 //! The steps' figures, each from its example's file.
 
-use common::Program;
+use show::Program;
 
 macro_rules! figures {
     ($($figure:ident $path:literal)*) => {

@@ -93,15 +93,15 @@ steps!(programs);
 
 /// The steps as programs of one window, with what their handouts say in short and their diffs.
 #[cfg(feature = "desktop")]
-pub fn programs() -> Vec<common::Program> {
+pub fn programs() -> Vec<show::Program> {
     let program = |step: Program| {
         // They are shown as long as the window.
         let Lesson { concept, slides, idea } = Lesson::read(step.handout);
         let (concept, slides, idea) = (concept.leak(), slides.leak(), idea.leak());
-        let program = common::Program::new(step.name, concept, Size::DEFAULT, Rc::new(step.make));
+        let program = show::Program::new(step.name, concept, Size::DEFAULT, Rc::new(step.make));
         let in_portuguese = Lesson::read(step.handout_in_portuguese);
         let portuguese = Some([&*in_portuguese.concept.leak(), &*in_portuguese.idea.leak()]);
-        common::Program { slides, diff: step.diff, idea, portuguese, ..program }
+        show::Program { slides, diff: step.diff, idea, portuguese, ..program }
     };
     PROGRAMS.map(program).to_vec()
 }

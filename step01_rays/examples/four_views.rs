@@ -1,7 +1,7 @@
 //! «Geração de raios - paralela / perspectiva»: what is the same for all rays, and what is not.
-use common::Figure;
 use common::Projection;
 use common::prelude::*;
+use show::Figure;
 use step01_rays::Lesson;
 use step01_rays::Shown;
 
@@ -56,4 +56,4 @@ fn figure() -> Figure<Seen> {
     })
 }
 
-common::figure_main!(figure, "One origin and many directions, or many origins and one direction");
+show::figure_main!(figure, "One origin and many directions, or many origins and one direction");

@@ -1,8 +1,8 @@
 //! «Mapeamento»: exactly where pixels are located, on a picture of 4 × 2.
-use common::Figure;
 use common::Ink;
-use common::Sketch;
 use common::prelude::*;
+use show::Figure;
+use show::Sketch;
 use step01_rays::Lesson;
 use step01_rays::render::pixel_center;
 
@@ -51,4 +51,4 @@ fn figure() -> Figure<Lesson> {
         .draw(draw)
 }
 
-common::figure_main!(figure, "Rays go through the middle of each pixel");
+show::figure_main!(figure, "Rays go through the middle of each pixel");

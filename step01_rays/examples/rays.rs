@@ -1,8 +1,8 @@
 //! «Raios»: eye, window and rays of both cameras, seen from outside.
-use common::Figure;
 use common::Projection;
-use common::Sketch;
 use common::prelude::*;
+use show::Figure;
+use show::Sketch;
 use step01_rays::Lesson;
 
 fn draw(projection: Projection) -> impl Fn(&Lesson, &mut Sketch<'_>) {
@@ -24,4 +24,4 @@ fn figure() -> Figure<Lesson> {
         .draw(draw(Projection::Parallel))
 }
 
-common::figure_main!(figure, "Eye, window and rays of both cameras");
+show::figure_main!(figure, "Eye, window and rays of both cameras");

@@ -1,7 +1,7 @@
 //! «Intersecção entre raio e esfera»: one root is where the ray goes in, the other where it leaves.
-use common::Figure;
 use common::prelude::*;
-use common::told;
+use show::Figure;
+use show::told;
 use step02_sphere::Lesson;
 use step02_sphere::render::render;
 
@@ -44,4 +44,4 @@ fn figure() -> Figure<Lesson> {
     panel(figure, "t₂ − t₁", |[t_1, t_2]| t_2 - t_1)
 }
 
-common::figure_main!(figure, "Both roots of the quadratic, and how far apart");
+show::figure_main!(figure, "Both roots of the quadratic, and how far apart");

@@ -1,9 +1,9 @@
 //! «Intersecção entre raio e esfera»: the discriminant tells how many solutions there are.
-use common::Figure;
 use common::Ink;
-use common::Sketch;
 use common::prelude::*;
-use common::told;
+use show::Figure;
+use show::Sketch;
+use show::told;
 use step02_sphere::Lesson;
 
 fn render(lesson: &Lesson, camera: &dyn Camera, image: &mut Image<'_>) {
@@ -33,4 +33,4 @@ fn figure() -> Figure<Lesson> {
         .panel("hit or miss", |_| ())
 }
 
-common::figure_main!(figure, "The discriminant over the picture");
+show::figure_main!(figure, "The discriminant over the picture");

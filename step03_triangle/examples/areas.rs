@@ -1,11 +1,11 @@
 //! «Coordenadas baricêntricas»: each weight is the share that the area opposite its vertex has in
 //! the triangle.
-use common::Figure;
 use common::Ink;
-use common::Sketch;
 use common::prelude::*;
 use common::text;
-use common::told;
+use show::Figure;
+use show::Sketch;
+use show::told;
 use step03_triangle::Lesson;
 use step03_triangle::triangle::Triangle;
 
@@ -39,4 +39,4 @@ fn figure() -> Figure<Lesson> {
         .draw(draw)
 }
 
-common::figure_main!(figure, "The areas that α, β and γ measure");
+show::figure_main!(figure, "The areas that α, β and γ measure");

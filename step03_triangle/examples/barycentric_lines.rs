@@ -1,8 +1,8 @@
 //! «Coordenadas baricêntricas»: each weight is constant along lines parallel to one edge.
-use common::Figure;
 use common::Ink;
-use common::Sketch;
 use common::prelude::*;
+use show::Figure;
+use show::Sketch;
 use step03_triangle::Lesson;
 
 /// Draws the lines where one weight is 0, ¼ … 1, and names the vertices.
@@ -34,4 +34,4 @@ fn figure() -> Figure<Lesson> {
     })
 }
 
-common::figure_main!(figure, "The lines of constant α, β and γ");
+show::figure_main!(figure, "The lines of constant α, β and γ");

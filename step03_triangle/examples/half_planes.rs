@@ -1,10 +1,10 @@
 //! «Intersecção entre raio e triângulo»: in its plane, a triangle is the intersection of three
 //! half-planes.
-use common::Figure;
 use common::Ink;
-use common::Sketch;
 use common::prelude::*;
-use common::told;
+use show::Figure;
+use show::Sketch;
+use show::told;
 use step03_triangle::Lesson;
 use step03_triangle::render::render;
 use step03_triangle::triangle::Triangle;
@@ -47,4 +47,4 @@ fn figure() -> Figure<Lesson> {
     panels.into_iter().fold(figure, panel)
 }
 
-common::figure_main!(figure, "A triangle is where three half-planes meet");
+show::figure_main!(figure, "A triangle is where three half-planes meet");

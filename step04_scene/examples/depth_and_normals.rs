@@ -1,6 +1,6 @@
 //! «Intersecção de raios em software»: what an intersection record knows besides the colour.
-use common::Figure;
 use common::prelude::*;
+use show::Figure;
 use step04_scene::Lesson;
 use step04_scene::intersection::IntersectionRecord;
 use step04_scene::render::render;
@@ -31,4 +31,4 @@ fn figure() -> Figure<Lesson> {
         .render(shown(|record| 0.5 + record.normal / 2.0))
 }
 
-common::figure_main!(figure, "Depth and normals of the scene");
+show::figure_main!(figure, "Depth and normals of the scene");

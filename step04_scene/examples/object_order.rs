@@ -1,9 +1,9 @@
 //! «Duas abordagens»: object order and image order test the same and give the same picture; they
 //! differ in what they have to remember, and in what there is half way.
-use common::Figure;
 use common::Size;
 use common::prelude::*;
 use common::text;
+use show::Figure;
 use step04_scene::Lesson;
 use step04_scene::render::viewing_ray;
 
@@ -89,4 +89,4 @@ fn figure() -> Figure<Lesson> {
     })
 }
 
-common::figure_main!(figure, "Object order and image order");
+show::figure_main!(figure, "Object order and image order");

@@ -1,6 +1,6 @@
 //! «Tonalização difusa»: the larger k_d, the more light comes back, and all of it matte.
-use common::Figure;
 use common::prelude::*;
+use show::Figure;
 use step05_diffuse::Lesson;
 use step05_diffuse::sphere::Sphere;
 use step05_diffuse::surface::Surface;
@@ -21,4 +21,4 @@ fn figure() -> Figure<Lesson> {
     })
 }
 
-common::figure_main!(figure, "Spheres with growing k_d");
+show::figure_main!(figure, "Spheres with growing k_d");

@@ -1,8 +1,8 @@
 //! «Atenuação por distância»: light thins out with the square of the distance.
-use common::Figure;
 use common::Ink;
-use common::Sketch;
 use common::prelude::*;
+use show::Figure;
+use show::Sketch;
 use step05_diffuse::Lesson;
 use step05_diffuse::sphere::Sphere;
 use step05_diffuse::surface::Surface;
@@ -53,4 +53,4 @@ fn figure() -> Figure<Lesson> {
         .draw(plot)
 }
 
-common::figure_main!(figure, "Twice the distance, a quarter of the light");
+show::figure_main!(figure, "Twice the distance, a quarter of the light");

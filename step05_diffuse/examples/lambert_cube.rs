@@ -1,10 +1,10 @@
 //! «Reflexão difusa»: the top of a cube, turned by 60°, intercepts half the light.
-use common::Figure;
 use common::Ink;
-use common::Sketch;
 use common::prelude::*;
 use common::text;
-use common::told;
+use show::Figure;
+use show::Sketch;
+use show::told;
 use step05_diffuse::Lesson;
 use step05_diffuse::material::Material;
 use step05_diffuse::scene::Object;
@@ -80,4 +80,4 @@ fn figure() -> Figure<Lesson> {
         .draw(draw)
 }
 
-common::figure_main!(figure, "Light for each unit of area is proportional to cos θ = n·l");
+show::figure_main!(figure, "Light for each unit of area is proportional to cos θ = n·l");

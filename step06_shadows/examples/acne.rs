@@ -1,5 +1,5 @@
 //! «Sombras»: a shadow ray that starts on a surface hits that surface, unless it starts ε later.
-use common::Figure;
+use show::Figure;
 use step06_shadows::Lesson;
 
 fn figure() -> Figure<Lesson> {
@@ -9,4 +9,4 @@ fn figure() -> Figure<Lesson> {
         .panel("with ε", |_| ())
 }
 
-common::figure_main!(figure, "Shadow acne, and the same with ε");
+show::figure_main!(figure, "Shadow acne, and the same with ε");

@@ -1,6 +1,6 @@
 //! «Múltiplas luzes»: black shadows are not really right; four ways to light a scene.
-use common::Figure;
 use common::prelude::*;
+use show::Figure;
 use step06_shadows::Lesson;
 use step06_shadows::light::PointLight;
 
@@ -33,4 +33,4 @@ fn figure() -> Figure<Lesson> {
         })
 }
 
-common::figure_main!(figure, "One light, two, ambient, a light at the camera");
+show::figure_main!(figure, "One light, two, ambient, a light at the camera");

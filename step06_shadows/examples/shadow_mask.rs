@@ -1,6 +1,6 @@
 //! «Sombras»: which points see which light.
-use common::Figure;
 use common::prelude::*;
+use show::Figure;
 use step06_shadows::Lesson;
 use step06_shadows::render::render;
 
@@ -29,4 +29,4 @@ fn figure() -> Figure<Lesson> {
         .render(mask(&[0, 1]))
 }
 
-common::figure_main!(figure, "The shadow mask of each light");
+show::figure_main!(figure, "The shadow mask of each light");

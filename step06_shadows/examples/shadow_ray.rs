@@ -1,8 +1,8 @@
 //! «Sombras»: a point is lit by a light that a ray from the point gets to.
-use common::Figure;
 use common::Ink;
-use common::Sketch;
 use common::prelude::*;
+use show::Figure;
+use show::Sketch;
 use step06_shadows::Lesson;
 
 /// Draws the light, and the shadow ray of a point on the floor.
@@ -28,4 +28,4 @@ fn figure() -> Figure<Lesson> {
         .draw(|lesson, sketch| draw(lesson, sketch, 0.05, 1.8))
 }
 
-common::figure_main!(figure, "A shadow ray that meets the light, and one that does not");
+show::figure_main!(figure, "A shadow ray that meets the light, and one that does not");

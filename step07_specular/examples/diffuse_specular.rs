@@ -1,5 +1,5 @@
 //! «Tonalização difusa + especular»: the highlight lies on top of the matte sphere.
-use common::Figure;
+use show::Figure;
 use step07_specular::Lesson;
 
 fn figure() -> Figure<Lesson> {
@@ -9,4 +9,4 @@ fn figure() -> Figure<Lesson> {
         .panel("diffuse + specular", |_| ())
 }
 
-common::figure_main!(figure, "Without and with the highlight");
+show::figure_main!(figure, "Without and with the highlight");

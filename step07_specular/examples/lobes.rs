@@ -1,10 +1,10 @@
 //! «Modelo Phong/Blinn-Phong»: increasing n narrows the lobe cosⁿα that a highlight is made of.
 use common::Anchor;
-use common::Figure;
 use common::Ink;
-use common::Sketch;
 use common::prelude::*;
-use common::told;
+use show::Figure;
+use show::Sketch;
+use show::told;
 use step07_specular::Lesson;
 use step07_specular::intersection::IntersectionRecord;
 use step07_specular::light::PointLight;
@@ -53,4 +53,4 @@ fn figure() -> Figure<Lesson> {
         .draw(draw)
 }
 
-common::figure_main!(figure, "The larger n, the narrower the lobe cosⁿα");
+show::figure_main!(figure, "The larger n, the narrower the lobe cosⁿα");

@@ -1,8 +1,8 @@
 //! «Modelo Phong/Blinn-Phong»: Phong takes v_r·v to the power p, Blinn-Phong n·h. The angle between
 //! n and h is about half of that between v_r and v, so that with the same p Blinn-Phong's highlight
 //! is the larger; 4 p makes them alike.
-use common::Figure;
 use common::prelude::*;
+use show::Figure;
 use step07_specular::Lesson;
 use step07_specular::sphere::Sphere;
 use step07_specular::surface::Surface;
@@ -28,4 +28,4 @@ fn figure() -> Figure<Lesson> {
         .panel("Blinn-Phong, 4 p", form(false, 4.0))
 }
 
-common::figure_main!(figure, "Phong's highlight beside Blinn-Phong's");
+show::figure_main!(figure, "Phong's highlight beside Blinn-Phong's");

@@ -1,7 +1,7 @@
 //! «Reflexão» and «Modelo Blinn-Phong»: the mirrored direction v_r, and h half way between v and l.
-use common::Figure;
-use common::Sketch;
 use common::prelude::*;
+use show::Figure;
+use show::Sketch;
 use step07_specular::Lesson;
 use step07_specular::sphere::Sphere;
 use step07_specular::surface::Surface;
@@ -30,4 +30,4 @@ fn figure() -> Figure<Lesson> {
         .draw(draw)
 }
 
-common::figure_main!(figure, "The mirrored direction, and the half vector");
+show::figure_main!(figure, "The mirrored direction, and the half vector");

@@ -1,6 +1,6 @@
 //! «Tonalização especular»: k_s makes the highlight brighter, p makes it smaller.
-use common::Figure;
 use common::prelude::*;
+use show::Figure;
 use step07_specular::Lesson;
 use step07_specular::sphere::Sphere;
 use step07_specular::surface::Surface;
@@ -24,4 +24,4 @@ fn figure() -> Figure<Lesson> {
     figure
 }
 
-common::figure_main!(figure, "Spheres in a grid of k_s and p");
+show::figure_main!(figure, "Spheres in a grid of k_s and p");

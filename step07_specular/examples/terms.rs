@@ -1,5 +1,5 @@
 //! «Somando as contribuições»: L = L_a + L_d + L_s.
-use common::Figure;
+use show::Figure;
 use step07_specular::Lesson;
 
 fn figure() -> Figure<Lesson> {
@@ -12,4 +12,4 @@ fn figure() -> Figure<Lesson> {
         .panel("L = L_a + L_d + L_s", |_| ())
 }
 
-common::figure_main!(figure, "The terms of the sum, and the sum");
+show::figure_main!(figure, "The terms of the sum, and the sum");

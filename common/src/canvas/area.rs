@@ -108,7 +108,7 @@ impl Area {
     }
 
     /// The part of a line that is in it; `None` where none is, or an end is not finite.
-    pub(crate) fn cut(self, from: (f32, f32), to: (f32, f32)) -> Option<((f32, f32), (f32, f32))> {
+    pub fn cut(self, from: (f32, f32), to: (f32, f32)) -> Option<((f32, f32), (f32, f32))> {
         let wide = |(x, y): (f32, f32)| (f64::from(x), f64::from(y));
         let narrow = |(x, y): (f64, f64)| (x as f32, y as f32);
         let finite = [from.0, from.1, to.0, to.1].iter().all(|number| number.is_finite());
@@ -118,7 +118,7 @@ impl Area {
     }
 
     /// How many square pixels of it are in `other`.
-    pub(crate) fn shared(self, other: Self) -> f32 {
+    pub fn shared(self, other: Self) -> f32 {
         let width = self.right().min(other.right()) - self.left.max(other.left);
         let height = self.bottom().min(other.bottom()) - self.top.max(other.top);
         width.max(0.0) * height.max(0.0)

@@ -7,11 +7,11 @@ use rayon::iter::IndexedParallelIterator;
 use rayon::iter::ParallelIterator;
 use rayon::slice::ParallelSliceMut;
 
-use crate::Camera;
-use crate::Canvas;
-use crate::Frame;
-use crate::Size;
-use crate::Step;
+use common::Camera;
+use common::Canvas;
+use common::Frame;
+use common::Size;
+use common::Step;
 
 /// How long the picture is worked on before the window is looked after again.
 const SLICE: Duration = Duration::from_millis(12);
@@ -213,4 +213,20 @@ impl Drawing {
 
 fn black(size: Size) -> RgbImage {
     RgbImage::new(size.width() as u32, size.height() as u32)
+}
+
+/// The picture of `frame`, rendered on all cores. `done` is told a number of rows whenever that many
+/// more are finished.
+pub fn render_parallel(frame: &Frame<'_>, done: impl Fn(usize) + Sync) -> RgbImage {
+    let mut picture = black(frame.size);
+    let row = 3 * frame.size.width();
+    // Small bands, because rows cost as much as what is seen in them.
+    let rows = 4;
+    let bands = picture.par_chunks_mut(row * rows).enumerate();
+    bands.for_each(|(band, rgb)| {
+        frame.render_rows(band * rows, rgb);
+        done(rgb.len() / row);
+    });
+    frame.step.draw_over(frame.camera, &mut Canvas::new(&mut picture));
+    picture
 }

@@ -2,13 +2,13 @@ use std::f32::consts::PI;
 
 use super::Kind;
 use super::Mistake;
-use crate::Color;
-use crate::Explanation;
-use crate::Outcome;
-use crate::Pixel;
-use crate::Slip;
-use crate::Value;
-use crate::Vec3;
+use common::Color;
+use common::Explanation;
+use common::Outcome;
+use common::Pixel;
+use common::Slip;
+use common::Value;
+use common::Vec3;
 
 /// Hands back another value for each symbol, or left side of an equation, that is listed. It may
 /// depend on what was said before and, with a name and a type, on the value told.

@@ -20,21 +20,22 @@ use image::imageops::FilterType;
 
 use super::command_line::print;
 use super::command_line::report;
+use super::drawing::render_parallel;
 use super::file;
-use crate::Camera;
 use crate::Comparison;
-use crate::Frame;
 use crate::Make;
 use crate::Mistake;
 use crate::Pair;
-use crate::Pixel;
 use crate::Program;
-use crate::Ray;
 use crate::Setup;
-use crate::Size;
 use crate::centered;
 use crate::side_by_side;
-use crate::text;
+use common::Camera;
+use common::Frame;
+use common::Pixel;
+use common::Ray;
+use common::Size;
+use common::text;
 
 /// A picture that a step and a solution of its exercise are compared by.
 #[derive(Clone, Debug, PartialEq)]
@@ -180,7 +181,7 @@ pub(super) fn serve(make: &Make) -> Result<()> {
         match case.scene(make) {
             Ok(scene) => {
                 output.write_all(&[0])?;
-                output.write_all(&case.frame(&scene).render_parallel(|_| ()))?;
+                output.write_all(&render_parallel(&case.frame(&scene), |_| ()))?;
             }
             Err(name) => {
                 let name = &name.as_bytes()[..name.len().min(255)];
@@ -195,8 +196,8 @@ pub(super) fn serve(make: &Make) -> Result<()> {
 
 /// The folder of the workspace.
 fn root() -> &'static Path {
-    let common = Path::new(env!("CARGO_MANIFEST_DIR"));
-    common.parent().unwrap_or(common)
+    let show = Path::new(env!("CARGO_MANIFEST_DIR"));
+    show.ancestors().nth(2).unwrap_or(show)
 }
 
 /// Whether there is a step of this name.
@@ -303,7 +304,7 @@ pub(super) fn check(program: &Program, name: &str, output: Option<&PathBuf>) -> 
         .collect::<Result<_>>()?;
     let frames: Vec<Frame<'_>> =
         cases.iter().zip(&scenes).map(|(case, scene)| case.frame(scene)).collect();
-    let render = |frame: &Frame<'_>| frame.render_parallel(|_| ());
+    let render = |frame: &Frame<'_>| render_parallel(frame, |_| ());
     let expected: Vec<RgbImage> =
         frames.iter().map(|frame| if itself { centered(frame) } else { render(frame) }).collect();
     let found = match itself {

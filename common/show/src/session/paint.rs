@@ -1,4 +1,3 @@
-use image::Rgb;
 use image::RgbImage;
 
 use super::Compare;
@@ -17,24 +16,25 @@ use super::panel::Panel;
 use super::panel::Row;
 use super::panel::TEXT;
 use super::panel::draw_text;
-use crate::Anchor;
-use crate::Area;
-use crate::Canvas;
-use crate::Explanation;
-use crate::Font;
-use crate::Ink;
-use crate::Line;
-use crate::Outcome;
 use crate::Outside;
-use crate::Section;
 use crate::Setting;
 use crate::Sight;
-use crate::Value;
 use crate::draw_vectors;
-use crate::encode;
 use crate::symbol_ink;
-use crate::text;
-use crate::translated;
+use common::Anchor;
+use common::Area;
+use common::Canvas;
+use common::Explanation;
+use common::Font;
+use common::Ink;
+use common::Line;
+use common::Outcome;
+use common::Section;
+use common::Value;
+use common::count_off;
+use common::encode;
+use common::text;
+use common::translated;
 
 const CAMERA: &str = "camera";
 
@@ -47,9 +47,9 @@ impl Session {
     /// were made.
     pub fn paint(&mut self, window: &mut RgbImage, pictures: &[&RgbImage], status: &str) {
         self.language.speak();
-        window.pixels_mut().for_each(|pixel| *pixel = Rgb(BACKGROUND.rgb));
         let layout = self.layout();
         let mut canvas = Canvas::new(window);
+        canvas.fill(canvas.area(), BACKGROUND);
         let differing = self.paint_pictures(&mut canvas, &layout, pictures);
         self.paint_vectors(&mut canvas, layout.picture, layout.em.clamp(11.0, 40.0));
         let said = match (&self.note, differing) {
@@ -95,11 +95,7 @@ impl Session {
                 canvas.clipped(area).fill(line, ACCENT);
                 None
             }
-            Compare::Difference => {
-                let differ =
-                    this.pixels().zip(before.pixels()).filter(|(this, before)| this != before);
-                Some((differ.count(), this.pixels().len()))
-            }
+            Compare::Difference => Some((count_off(before, this, 0), this.pixels().len())),
         }
     }
 

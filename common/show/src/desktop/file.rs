@@ -23,9 +23,9 @@ use tempfile::Builder;
 use tempfile::NamedTempFile;
 use tempfile::PersistError;
 
-use crate::Size;
-use crate::SizeError;
-use crate::text;
+use common::Size;
+use common::SizeError;
+use common::text;
 
 /// Whether two names are of the same file.
 pub(crate) fn is_same(a: &Path, b: &Path) -> bool {

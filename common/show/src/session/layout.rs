@@ -1,5 +1,5 @@
-use crate::Area;
-use crate::Size;
+use common::Area;
+use common::Size;
 
 /// The em of the text, of the window's height: then a capital letter is 2.8 % of it high.
 const TEXT: f32 = 0.0385;

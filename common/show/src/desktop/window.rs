@@ -28,9 +28,10 @@ use crate::Effect;
 use crate::Event;
 use crate::Key;
 use crate::Session;
-use crate::Size;
 use crate::Wanted;
-use crate::text;
+use common::Size;
+use common::pack;
+use common::text;
 
 /// From one picture to the next while something is being changed, the work of the window system
 /// included: 40 a second.
@@ -178,12 +179,7 @@ impl Window {
 
     /// Puts a picture on the screen, and looks for input.
     fn send(&mut self, picture: &RgbImage) -> Result<()> {
-        let pixels = picture.pixels().map(|pixel| {
-            let [r, g, b] = pixel.0;
-            u32::from_be_bytes([0, r, g, b])
-        });
-        self.spare.clear();
-        self.spare.extend(pixels);
+        pack(picture, &mut self.spare);
         self.keep();
         let (width, height) = (picture.width() as usize, picture.height() as usize);
         self.window

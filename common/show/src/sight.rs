@@ -1,12 +1,12 @@
-use crate::Area;
-use crate::Camera;
-use crate::Explanation;
-use crate::Outcome;
-use crate::Pixel;
-use crate::Place;
-use crate::Ray;
-use crate::Step;
-use crate::Vec3;
+use common::Area;
+use common::Camera;
+use common::Explanation;
+use common::Outcome;
+use common::Pixel;
+use common::Place;
+use common::Ray;
+use common::Step;
+use common::Vec3;
 
 /// What a camera sees of a step, filling an area of a picture: where a point of the world is in it,
 /// and whether something hides it.

@@ -3,7 +3,9 @@ use std::fmt;
 use image::Rgb;
 use image::RgbImage;
 
-use crate::text;
+use common::count_off;
+use common::off;
+use common::text;
 
 /// How far one picture is from another, and where.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,17 +63,17 @@ impl Comparison {
             let (expected, found) = (expected.dimensions(), found.dimensions());
             return Self::Size { expected, found };
         }
-        let offs = || expected.pixels().zip(found.pixels()).map(|(a, b)| off(a.0, b.0));
-        let strays = offs().filter(|off| *off > TOLERANCE).count();
+        let strays = count_off(expected, found, TOLERANCE);
         let pixels = expected.pixels().len();
         if strays <= STRAYS.min(pixels / 1000) {
-            return Self::Equal { inexact: offs().filter(|off| *off > 0).count(), strays };
+            return Self::Equal { inexact: count_off(expected, found, 0), strays };
         }
         let width = expected.width();
         let place = |index: usize| (index as u32 % width, index as u32 / width);
         let mut bounds = [u32::MAX, u32::MAX, 0, 0];
         let (mut worst, mut most) = ((0, 0), 0);
-        for (index, off) in offs().enumerate().filter(|(_, off)| *off > TOLERANCE) {
+        let offs = expected.pixels().zip(found.pixels()).map(|(a, b)| off(a.0, b.0));
+        for (index, off) in offs.enumerate().filter(|(_, off)| *off > TOLERANCE) {
             let (col, row) = place(index);
             let [left, top, right, bottom] = bounds;
             bounds = [left.min(col), top.min(row), right.max(col), bottom.max(row)];
@@ -96,17 +98,11 @@ impl Comparison {
     }
 }
 
-/// How far the channel is off that is furthest, in steps of 1/255.
-pub(crate) fn off(a: [u8; 3], b: [u8; 3]) -> u8 {
-    a.iter().zip(b).map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)
-}
-
 /// Which of `others` is found in place of the one expected, but for a tenth of the `strays`.
 fn hint(found: &RgbImage, others: &[(&str, RgbImage)], strays: usize) -> Option<String> {
     let same_size = others.iter().filter(|(_, other)| other.dimensions() == found.dimensions());
     let mut matches = same_size.filter_map(|(name, other)| {
-        let pixels = other.pixels().zip(found.pixels());
-        let misfits = pixels.filter(|(a, b)| off(a.0, b.0) > TOLERANCE).count();
+        let misfits = count_off(other, found, TOLERANCE);
         let matches = format!("compared with {name} it would match");
         match misfits {
             0 => Some(matches),

@@ -1,14 +1,14 @@
 use std::fmt;
 use std::rc::Rc;
 
-use crate::Control;
-use crate::Controls;
-use crate::Refused;
-use crate::Step;
-use crate::Vec3;
-use crate::View;
-use crate::control::first_word;
-use crate::text;
+use common::Control;
+use common::Controls;
+use common::Refused;
+use common::Step;
+use common::Vec3;
+use common::View;
+use common::first_word;
+use common::text;
 
 /// A step, where it is seen from, and what was changed in both: all that a picture is made of.
 ///

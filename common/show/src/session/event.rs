@@ -1,4 +1,4 @@
-use crate::Size;
+use common::Size;
 
 /// A key that a session understands.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]

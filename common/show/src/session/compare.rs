@@ -1,7 +1,5 @@
+use common::magnified;
 use image::RgbImage;
-
-/// What is off by one code is shown as so many.
-const MAGNIFIED: u8 = 8;
 
 /// How the step before is compared with.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,18 +18,14 @@ impl Compare {
         if before.dimensions() != this.dimensions() || width == 0 {
             return composed;
         }
-        let lines = composed.chunks_exact_mut(width).zip(before.chunks_exact(width));
         match self {
             Self::Off => {}
             Self::Divided(part) => {
                 let left = 3 * (part * this.width() as f32).round() as usize;
+                let lines = composed.chunks_exact_mut(width).zip(before.chunks_exact(width));
                 lines.for_each(|(line, before)| line[..left].copy_from_slice(&before[..left]));
             }
-            Self::Difference => lines.for_each(|(line, before)| {
-                for (channel, before) in line.iter_mut().zip(before) {
-                    *channel = channel.abs_diff(*before).saturating_mul(MAGNIFIED);
-                }
-            }),
+            Self::Difference => composed = magnified(before, this),
         }
         composed
     }

@@ -11,10 +11,11 @@ use std::process::ExitCode;
 use std::rc::Rc;
 
 use command_line::Suite;
+pub use drawing::render_parallel;
 
 use crate::Program;
-use crate::Size;
-use crate::Step;
+use common::Size;
+use common::Step;
 
 /// What a step's `main` runs: the command line, and what it asks for.
 ///

@@ -25,32 +25,33 @@ use image::RgbImage;
 use strsim::damerau_levenshtein;
 
 use super::check;
+use super::drawing::render_parallel;
 use super::file;
 use super::progress::Progress;
 use super::window;
 use crate::Compare;
 use crate::Comparison;
-use crate::Frame;
 use crate::KEYS;
 use crate::LECTURE_KEYS;
-use crate::Language;
 use crate::Mistake;
 use crate::OUTSIDE;
 use crate::Outside;
 use crate::Pair;
-use crate::Pixel;
 use crate::Program;
 use crate::Session;
 use crate::Setting;
 use crate::SettingError;
 use crate::Setup;
-use crate::Size;
-use crate::View;
 use crate::Wanted;
-use crate::check_loop;
 use crate::side_by_side;
-use crate::text;
-use crate::translated;
+use common::Frame;
+use common::Language;
+use common::Pixel;
+use common::Size;
+use common::View;
+use common::check_loop;
+use common::text;
+use common::translated;
 
 /// The most rays a pixel are this many squared.
 const MAX_SAMPLES: usize = 16;
@@ -283,7 +284,18 @@ fn language() -> Language {
         _ => argument.strip_prefix("--language="),
     });
     let known = |name: &str| Language::ALL.into_iter().find(|(known, _)| *known == name);
-    named.find_map(known).map_or_else(Language::of_system, |(_, language)| language)
+    named.find_map(known).map_or_else(of_system, |(_, language)| language)
+}
+
+/// The language of the first of the variables LC_ALL, LC_MESSAGES and LANG that says something, or
+/// else, on Windows and macOS, the one that the system's user has set.
+fn of_system() -> Language {
+    let variables = ["LC_ALL", "LC_MESSAGES", "LANG"];
+    let locales = variables.iter().filter_map(|name| env::var(name).ok());
+    let locale = locales.into_iter().find(|locale| !locale.is_empty());
+    #[cfg(any(windows, target_os = "macos"))]
+    let locale = locale.or_else(sys_locale::get_locale);
+    Language::of_locale(&locale.unwrap_or_default())
 }
 
 /// Why clap refuses the arguments, in one line.
@@ -525,7 +537,7 @@ impl Job {
         let progress = Progress::new(wanted.len() * size.height());
         let render = |wanted: &Wanted<'_>| {
             let (step, camera) = (wanted.setup.step(), &*wanted.camera);
-            Frame { step, camera, size, samples }.render_parallel(|rows| progress.add(rows))
+            render_parallel(&Frame { step, camera, size, samples }, |rows| progress.add(rows))
         };
         let pictures = wanted.iter().map(render).collect();
         let milliseconds = progress.finish().as_secs_f64() * 1e3;
