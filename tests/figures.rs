@@ -7,7 +7,6 @@ use std::ffi::OsStr;
 use std::fs;
 use std::path::Path;
 use std::path::PathBuf;
-use std::process::Command;
 use std::process::Output;
 
 use lecture::FIGURES;
@@ -46,7 +45,7 @@ fn in_portuguese(name: &str) -> String {
 }
 
 fn run(name: &str, arguments: &[&OsStr]) -> Output {
-    Command::new(program(name)).args(arguments).output().expect("the program runs")
+    program(name).args(arguments).output().expect("the program runs")
 }
 
 /// Runs a program that has to succeed, and says what it printed.

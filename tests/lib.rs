@@ -182,7 +182,7 @@ static BUILT: LazyLock<PathBuf> = LazyLock::new(|| {
     let test = std::env::current_exe().expect("the test has a path");
     let profile = test.parent().and_then(Path::parent).expect("target/PROFILE/deps");
     let mut build = Command::new(env!("CARGO"));
-    build.current_dir(root()).args(["build", "--quiet", "--workspace", "--bins", "--examples"]);
+    build.current_dir(root()).args(["build", "--quiet", "--workspace", "--bins"]);
     build.arg("--target-dir").arg(profile.parent().expect("target/PROFILE"));
     if profile.ends_with("release") {
         build.arg("--release");
@@ -191,15 +191,23 @@ static BUILT: LazyLock<PathBuf> = LazyLock::new(|| {
     profile.to_owned()
 });
 
-/// The built program of a step, or one of its examples as `examples/NAME`.
-pub fn program(name: &str) -> PathBuf {
-    BUILT.join(name).with_extension(std::env::consts::EXE_EXTENSION)
+/// The built program of a step, or a figure as `examples/NAME`.
+pub fn program(name: &str) -> Command {
+    let built = |name: &str| BUILT.join(name).with_extension(std::env::consts::EXE_EXTENSION);
+    match name.strip_prefix("examples/") {
+        None => Command::new(built(name)),
+        Some(figure) => {
+            let mut command = Command::new(built("figure"));
+            command.arg(figure);
+            command
+        }
+    }
 }
 
 /// A step's program, to be run in `folder` with no display, as far as there is [`X11`]; the folder is
 /// home and holds what is temporary too, so that whatever the program writes unasked is found there.
 pub fn command(name: &str, folder: &Path) -> Command {
-    let mut command = Command::new(program(name));
+    let mut command = program(name);
     command.current_dir(folder).env("HOME", folder).env("TMPDIR", folder);
     command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env("LC_ALL", "C");
     command

@@ -124,7 +124,7 @@ impl<'a> Running<'a> {
         locale: &str, display: &'a Display, folder: &'a Path, index: usize, options: &[&str],
     ) -> Self {
         let name = STEPS[index];
-        let program = Command::new(program(name))
+        let program = program(name)
             .args(options)
             .current_dir(folder)
             .env("DISPLAY", &display.name)
@@ -287,7 +287,7 @@ fn no_window() {
         (folder("empty"), Some(""), (64, 36), "no display"),
         (folder("large"), None, (16385, 2), "one is at most 16384 pixels wide and high"),
     ] {
-        let mut command = Command::new(program(STEPS[4]));
+        let mut command = program(STEPS[4]);
         command.current_dir(&folder).args(["--size", &format!("{width}x{height}")]);
         command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY");
         let output = command.envs(display.map(|name| ("DISPLAY", name))).output();

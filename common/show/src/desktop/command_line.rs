@@ -1,5 +1,6 @@
 use std::env;
 use std::error::Error;
+use std::ffi::OsString;
 use std::fmt::Write as _;
 use std::fs;
 use std::io;
@@ -75,9 +76,10 @@ struct Job {
     samples: usize,
 }
 
-pub(crate) fn run(suite: &Suite) -> ExitCode {
-    language().speak();
-    let matches = match command(suite).try_get_matches() {
+pub(crate) fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
+    let arguments: Vec<OsString> = arguments.collect();
+    language(&arguments).speak();
+    let matches = match command(suite).try_get_matches_from(arguments) {
         Ok(matches) => matches,
         Err(error) if error.kind() == ErrorKind::DisplayHelp => {
             return status(print(&help(suite)).map(|()| true));
@@ -275,9 +277,9 @@ fn command(suite: &Suite) -> Command {
 
 /// The language that `--language` asks for, or else the system's. It is looked for before all other
 /// arguments, whose mistakes are told in it.
-fn language() -> Language {
+fn language(arguments: &[OsString]) -> Language {
     let arguments: Vec<String> =
-        env::args_os().map(|argument| argument.to_string_lossy().into_owned()).collect();
+        arguments.iter().map(|argument| argument.to_string_lossy().into_owned()).collect();
     let given = arguments.iter().zip(arguments.iter().skip(1).map(Some).chain([None]));
     let mut named = given.filter_map(|(argument, next)| match argument.as_str() {
         "--language" => next.map(String::as_str),

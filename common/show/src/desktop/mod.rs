@@ -7,6 +7,8 @@ mod file;
 mod progress;
 mod window;
 
+use std::env;
+use std::ffi::OsString;
 use std::process::ExitCode;
 use std::rc::Rc;
 
@@ -23,13 +25,15 @@ use common::Step;
 /// 0 when all was done, 1 when it failed or a comparison found a difference, 2 for wrong usage.
 pub fn main<S: Step + Default + 'static>(name: &'static str, concept: &'static str) -> ExitCode {
     let make = Rc::new(|| Box::new(S::default()) as Box<dyn Step>);
-    run(Program::new(name, concept, Size::DEFAULT, make))
+    run(Program::new(name, concept, Size::DEFAULT, make), env::args_os())
 }
 
-/// The same for a program that is there, such as [a figure](crate::figure_main).
-pub fn run(program: Program) -> ExitCode {
+/// The same for a program that is there, such as [a figure](crate::figure_main), and a command line,
+/// which begins with the program's own name.
+pub fn run(program: Program, arguments: impl Iterator<Item = OsString>) -> ExitCode {
     let Program { name, concept, .. } = program;
-    command_line::run(&Suite { name, concept, programs: vec![program], page: None })
+    let suite = Suite { name, concept, programs: vec![program], page: None };
+    command_line::run(&suite, arguments)
 }
 
 /// What the lecture's `main` runs: a step's command line with one more option, the step, and one
@@ -42,5 +46,6 @@ pub fn lecture(
     name: &'static str, concept: &'static str, programs: Vec<Program>,
     page: fn() -> anyhow::Result<String>,
 ) -> ExitCode {
-    command_line::run(&Suite { name, concept, programs, page: Some(page) })
+    let suite = Suite { name, concept, programs, page: Some(page) };
+    command_line::run(&suite, env::args_os())
 }

@@ -110,7 +110,7 @@ macro_rules! figure_main {
         #[cfg(feature = "desktop")]
         #[allow(dead_code, reason = "on the web page, a figure is no program of its own")]
         fn main() -> std::process::ExitCode {
-            $crate::run(program())
+            $crate::run(program(), std::env::args_os())
         }
     };
 }
