@@ -826,8 +826,19 @@ start().then(() => {
   buttons();
   open(location.hash);
   enliven();
+/** Of each line of a difference, how far it is indented. */
+function indent() {
+  for (const lines of document.querySelectorAll(".diff")) {
+    for (const part of lines.childNodes)
+      if (part.nodeType === 3) part.replaceWith(...part.data.split(/(?<=\n)/).map((line) => element("span", { textContent: line })));
+    for (const line of lines.children) line.style.setProperty("--indent", line.textContent.search(/[^-+ ]|$/));
+  }
+}
+
 }).catch((error) => {
   console.warn(error);
   notice(() => text("The pictures cannot be drawn in this browser (it lacks WebAssembly or something in it); the texts can be read all the same."));
   document.documentElement.classList.add("broken");
 });
+  document.documentElement.classList.add("runs");
+  indent();
