@@ -477,11 +477,9 @@ class Controls {
 
 const controls = new Controls($("controls"), "", moved);
 
-/** `k_d` with its index below. */
-function symbol(name) {
-  const found = /^(\w)_(\w+)$/.exec(name);
-  return found ? [found[1], element("sub", { textContent: found[2] })] : [name];
-}
+/** `n·l k_d` with its indices below. */
+const symbol = (name) =>
+  name.split(/(?<=(?<![\p{L}_])\p{L})_(\p{L}+)/u).map((part, at) => (at % 2 ? element("sub", { textContent: part }) : part));
 
 // ---- the figures of the handouts, live as soon as they are seen
 
@@ -542,7 +540,7 @@ function explain() {
   for (const [kind, ...rest] of parts) {
     if (kind === "section" || (kind === "group" && !rest[0])) continue;
     const shown = kind === "line" ? rest.slice(4) : kind === "seen" ? rest : rest.slice(3);
-    places[place++].textContent = kind === "group" ? shown[0] : shown.map((number) => number.padEnd(9)).join(" ").trimEnd();
+    places[place++].replaceChildren(...kind === "group" ? symbol(shown[0]) : [shown.map((number) => number.padStart(9)).join(" ").trimStart()]);
   }
   fillEquation(parts);
 }
@@ -620,12 +618,12 @@ function makeExplanation(parts) {
     } else {
       if (kind === "seen") { list = null; group = section = element("div", {}); top.push(group); }
       if (!list) group.append(list = element("dl", { className: "lines" }));
-      const symbol = element("dt", {}, kind === "seen" ? text("seen, sRGB 0 to 255") : name);
+      const term = element("dt", {}, ...(kind === "seen" ? [text("seen, sRGB 0 to 255")] : symbol(name)));
       if (kind === "line" && ink) {
-        symbol.className = "inked";
-        symbol.style.setProperty("--ink", ink);
+        term.className = "inked";
+        term.style.setProperty("--ink", ink);
       }
-      list.append(element("div", {}, symbol, value("dd")));
+      list.append(element("div", {}, term, value("dd")));
     }
   }
   $("explanation").replaceChildren(...top);
