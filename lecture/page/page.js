@@ -327,6 +327,15 @@ function writeAddress() {
 }
 
 /** What a step or a figure holds now. */
+/** What is shown now can be come back to. */
+function leave() {
+  written = address();
+  try {
+    history.replaceState(null, "", written);
+    history.pushState(null, "", written);
+  } catch { /* As above. */ }
+}
+
 function read(command) {
   const read = { step: 1, name: "", command: "", size: SIZE, changes: [], settings: [] };
   for (const [kind, ...rest] of lines(command)) {
@@ -722,7 +731,8 @@ function hold(down) {
 }
 
 function go(step) {
-  if (step < 1 || step > STEPS) return;
+  if (step < 1 || step > STEPS || step === state.step) return;
+  leave();
   change(`step ${step}`);
   stage.moving = false;
   notice();
@@ -808,6 +818,7 @@ function translate() {
   for (const place of document.querySelectorAll("[data-step]"))
     place.textContent = handout(place.dataset.step).querySelector("h2").textContent.split(" · ")[1];
   const other = language === "en" ? "pt-BR" : "en";
+    leave();
   $("language").textContent = { en: "English", "pt-BR": "Português" }[other];
   $("language").lang = other;
   notice(said);
