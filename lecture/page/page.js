@@ -219,7 +219,8 @@ function show(made) {
 /** A change by hand, of which more may follow at once. */
 function moved(command) {
   const wrong = attempt(command);
-  if (wrong) return notice(() => wrong);
+  notice(() => wrong);
+  if (wrong) return;
   stage.moving = true;
   refresh();
 }
@@ -476,7 +477,7 @@ class Controls {
         this.moved(`nudge ${name} ${event.shiftKey ? steps / 10 : steps}`);
       };
     }
-    const reset = element("button", { type: "button", textContent: "↺", onclick: () => this.moved(`reset ${name}`) });
+    const reset = element("button", { type: "button", textContent: "↺", onclick: () => { this.moved(`reset ${name}`); input.focus(); } });
     reset.setAttribute("aria-label", `${text("Reset")} ${name}`);
     const output = element("output", {});
     output.htmlFor = id;
@@ -751,7 +752,15 @@ function command() {
 
 async function copy(what) {
   notice(() => `${text("Copied:")} ${what}`);
-  try { await navigator.clipboard.writeText(what); } catch { /* It is shown, and can be copied by hand. */ }
+  try { await navigator.clipboard.writeText(what); } catch {
+    // Where that is forbidden, as it is from a server without a certificate, the old way may do.
+    const [field, focus] = [element("textarea", { value: what }), document.activeElement];
+    document.body.append(field);
+    field.select();
+    document.execCommand("copy");
+    field.remove();
+    focus.focus({ preventScroll: true });
+  }
 }
 
 function buttons() {
@@ -767,7 +776,13 @@ function buttons() {
   $("outside").onclick = () => { change(`outside ${outside ? "off" : "on"}`); refresh(); };
   $("numbers").querySelector("select").onchange = (event) => { numbersOf = event.target.value; explain(); };
   $("divider").oninput = () => { showStage(); writeAddress(); };
-  $("unpin").onclick = () => { pin = null; refresh(); };
+  $("unpin").onclick = () => {
+    // What is hidden cannot keep the focus.
+    if (document.activeElement === $("unpin")) $("picture").focus({ preventScroll: true });
+    pin = null;
+    refresh();
+  };
+  $("notice").onclick = () => notice();
   $("reset").onclick = () => moved("reset");
   $("link").onclick = () => copy(location.href.split("#")[0] + address());
   $("command").onclick = () => copy(command());
@@ -790,6 +805,7 @@ function buttons() {
     event.preventDefault();
   });
   document.addEventListener("keyup", (event) => { if (event.key === "b") hold(false); });
+    else if (event.key === "Escape" && said()) notice();
   document.addEventListener("click", (event) => {
     const link = event.target.closest("a[href^='#step']");
     if (!link || event.ctrlKey || event.metaKey || event.shiftKey) return;
