@@ -210,7 +210,7 @@ function show(made) {
   const drawn = (pin && vectors) || handles || outside;
   // As high as the letters beside the picture, larger where the picture is, and no larger than it can hold.
   const width = Math.max(1, $("picture").clientWidth);
-  const letters = Math.max(8, Math.min(size[1] / 12, Math.max(15, 0.022 * width) * size[0] / width));
+  const letters = Math.max(8, Math.min(size[1] / 12, Math.max(13, 0.022 * width) * size[0] / width));
   const marks = `${letters} ${pin ? pin.join(",") : "-"} ${Number(vectors)} ${Number(handles)}`;
   for (const layer of made.layers)
     put($(layer), layer, drawn ? size : [made.width, made.height], made, drawn ? marks : "8 - 0 0");
@@ -327,7 +327,6 @@ function writeAddress() {
   }, 200);
 }
 
-/** What a step or a figure holds now. */
 /** What is shown now can be come back to. */
 function leave() {
   written = address();
@@ -337,6 +336,7 @@ function leave() {
   } catch { /* As above. */ }
 }
 
+/** What a step or a figure holds now. */
 function read(command) {
   const read = { step: 1, name: "", command: "", size: SIZE, changes: [], settings: [] };
   for (const [kind, ...rest] of lines(command)) {
@@ -386,6 +386,7 @@ function showStep() {
   $("formula").replaceChildren(formulas.get(shown));
   $("formula").lang = language;
   document.title = `${heading} · ${text("Ray tracing, step by step")}`;
+  $("title").textContent = heading;
   $("now").setAttribute("aria-label", heading);
 }
 
@@ -398,6 +399,9 @@ function showStage() {
   $("before").hidden = !both;
   const share = held ? 1 : Number($("divider").value);
   $("before").style.clipPath = `inset(0 ${100 * (1 - share)}% 0 0)`;
+  $("edge").hidden = !both || held;
+  $("edge").style.left = `${100 * share}%`;
+  [$("edge").dataset.before, $("edge").dataset.now] = [two(state.step - 1), two(state.step)];
   $("unpin").hidden = !pin;
   $("pin").hidden = !pin || vectors || outside;
   if (pin) {
@@ -405,6 +409,7 @@ function showStage() {
     $("pin").style.top = `${100 * (pin[1] + 0.5) / size[1]}%`;
   }
   for (const canvas of [$("now"), $("before")]) canvas.style.aspectRatio = `${size[0]} / ${size[1]}`;
+  $("view").style.setProperty("--shape", `${size[0]} / ${size[1]}`);
 }
 
 // ---- controls
@@ -800,12 +805,12 @@ function buttons() {
     else if (event.key === "v") $("vectors").click();
     else if (event.key === "h") $("handles").click();
     else if (event.key === "o") $("outside").click();
+    else if (event.key === "Escape" && said()) notice();
     else if (event.key === "Escape" && pin) $("unpin").click();
     else return;
     event.preventDefault();
   });
   document.addEventListener("keyup", (event) => { if (event.key === "b") hold(false); });
-    else if (event.key === "Escape" && said()) notice();
   document.addEventListener("click", (event) => {
     const link = event.target.closest("a[href^='#step']");
     if (!link || event.ctrlKey || event.metaKey || event.shiftKey) return;
@@ -813,11 +818,21 @@ function buttons() {
     // A link to a step takes all along; one with settings shows just these, and keeps the pin.
     if (!link.hash.includes("&")) return go(Number(link.hash.slice(5)));
     const kept = pin;
+    leave();
     open(link.hash);
     pin = kept;
     refresh();
   });
   addEventListener("hashchange", () => { if (location.hash !== written) open(location.hash); });
+}
+
+/** Of each line of a difference, how far it is indented. */
+function indent() {
+  for (const lines of document.querySelectorAll(".diff")) {
+    for (const part of lines.childNodes)
+      if (part.nodeType === 3) part.replaceWith(...part.data.split(/(?<=\n)/).map((line) => element("span", { textContent: line })));
+    for (const line of lines.children) line.style.setProperty("--indent", line.textContent.search(/[^-+ ]|$/));
+  }
 }
 
 function speak(chosen) {
@@ -834,7 +849,6 @@ function translate() {
   for (const place of document.querySelectorAll("[data-step]"))
     place.textContent = handout(place.dataset.step).querySelector("h2").textContent.split(" · ")[1];
   const other = language === "en" ? "pt-BR" : "en";
-    leave();
   $("language").textContent = { en: "English", "pt-BR": "Português" }[other];
   $("language").lang = other;
   notice(said);
@@ -847,23 +861,14 @@ translate();
 $("language").onclick = () => { speak(language === "en" ? "pt-BR" : "en"); if (state) refresh(); };
 start().then(() => {
   run(`language ${language}`);
+  document.documentElement.classList.add("runs");
+  indent();
   hands();
   buttons();
   open(location.hash);
   enliven();
-/** Of each line of a difference, how far it is indented. */
-function indent() {
-  for (const lines of document.querySelectorAll(".diff")) {
-    for (const part of lines.childNodes)
-      if (part.nodeType === 3) part.replaceWith(...part.data.split(/(?<=\n)/).map((line) => element("span", { textContent: line })));
-    for (const line of lines.children) line.style.setProperty("--indent", line.textContent.search(/[^-+ ]|$/));
-  }
-}
-
 }).catch((error) => {
   console.warn(error);
   notice(() => text("The pictures cannot be drawn in this browser (it lacks WebAssembly or something in it); the texts can be read all the same."));
   document.documentElement.classList.add("broken");
 });
-  document.documentElement.classList.add("runs");
-  indent();
