@@ -210,7 +210,7 @@ function show(made) {
   const drawn = (pin && vectors) || handles || outside;
   // As high as the letters beside the picture, larger where the picture is, and no larger than it can hold.
   const width = Math.max(1, $("picture").clientWidth);
-  const letters = Math.max(8, Math.min(size[1] / 12, Math.max(15, 0.022 * width) * size[0] / width));
+  const letters = Math.max(8, Math.min(size[1] / 12, Math.max(13, 0.022 * width) * size[0] / width));
   const marks = `${letters} ${pin ? pin.join(",") : "-"} ${Number(vectors)} ${Number(handles)}`;
   for (const layer of made.layers)
     put($(layer), layer, drawn ? size : [made.width, made.height], made, drawn ? marks : "8 - 0 0");
@@ -219,7 +219,8 @@ function show(made) {
 /** A change by hand, of which more may follow at once. */
 function moved(command) {
   const wrong = attempt(command);
-  if (wrong) return notice(() => wrong);
+  notice(() => wrong);
+  if (wrong) return;
   stage.moving = true;
   refresh();
 }
@@ -326,6 +327,15 @@ function writeAddress() {
   }, 200);
 }
 
+/** What is shown now can be come back to. */
+function leave() {
+  written = address();
+  try {
+    history.replaceState(null, "", written);
+    history.pushState(null, "", written);
+  } catch { /* As above. */ }
+}
+
 /** What a step or a figure holds now. */
 function read(command) {
   const read = { step: 1, name: "", command: "", size: SIZE, changes: [], settings: [] };
@@ -376,6 +386,7 @@ function showStep() {
   $("formula").replaceChildren(formulas.get(shown));
   $("formula").lang = language;
   document.title = `${heading} · ${text("Ray tracing, step by step")}`;
+  $("title").textContent = heading;
   $("now").setAttribute("aria-label", heading);
 }
 
@@ -388,6 +399,9 @@ function showStage() {
   $("before").hidden = !both;
   const share = held ? 1 : Number($("divider").value);
   $("before").style.clipPath = `inset(0 ${100 * (1 - share)}% 0 0)`;
+  $("edge").hidden = !both || held;
+  $("edge").style.left = `${100 * share}%`;
+  [$("edge").dataset.before, $("edge").dataset.now] = [two(state.step - 1), two(state.step)];
   $("unpin").hidden = !pin;
   $("pin").hidden = !pin || vectors || outside;
   if (pin) {
@@ -395,6 +409,7 @@ function showStage() {
     $("pin").style.top = `${100 * (pin[1] + 0.5) / size[1]}%`;
   }
   for (const canvas of [$("now"), $("before")]) canvas.style.aspectRatio = `${size[0]} / ${size[1]}`;
+  $("view").style.setProperty("--shape", `${size[0]} / ${size[1]}`);
 }
 
 // ---- controls
@@ -467,7 +482,7 @@ class Controls {
         this.moved(`nudge ${name} ${event.shiftKey ? steps / 10 : steps}`);
       };
     }
-    const reset = element("button", { type: "button", textContent: "↺", onclick: () => this.moved(`reset ${name}`) });
+    const reset = element("button", { type: "button", textContent: "↺", onclick: () => { this.moved(`reset ${name}`); input.focus(); } });
     reset.setAttribute("aria-label", `${text("Reset")} ${name}`);
     const output = element("output", {});
     output.htmlFor = id;
@@ -477,11 +492,9 @@ class Controls {
 
 const controls = new Controls($("controls"), "", moved);
 
-/** `k_d` with its index below. */
-function symbol(name) {
-  const found = /^(\w)_(\w+)$/.exec(name);
-  return found ? [found[1], element("sub", { textContent: found[2] })] : [name];
-}
+/** `n·l k_d` with its indices below. */
+const symbol = (name) =>
+  name.split(/(?<=(?<![\p{L}_])\p{L})_(\p{L}+)/u).map((part, at) => (at % 2 ? element("sub", { textContent: part }) : part));
 
 // ---- the figures of the handouts, live as soon as they are seen
 
@@ -542,7 +555,7 @@ function explain() {
   for (const [kind, ...rest] of parts) {
     if (kind === "section" || (kind === "group" && !rest[0])) continue;
     const shown = kind === "line" ? rest.slice(4) : kind === "seen" ? rest : rest.slice(3);
-    places[place++].textContent = kind === "group" ? shown[0] : shown.map((number) => number.padEnd(9)).join(" ").trimEnd();
+    places[place++].replaceChildren(...kind === "group" ? symbol(shown[0]) : [shown.map((number) => number.padStart(9)).join(" ").trimStart()]);
   }
   fillEquation(parts);
 }
@@ -620,12 +633,12 @@ function makeExplanation(parts) {
     } else {
       if (kind === "seen") { list = null; group = section = element("div", {}); top.push(group); }
       if (!list) group.append(list = element("dl", { className: "lines" }));
-      const symbol = element("dt", {}, kind === "seen" ? text("seen, sRGB 0 to 255") : name);
+      const term = element("dt", {}, ...(kind === "seen" ? [text("seen, sRGB 0 to 255")] : symbol(name)));
       if (kind === "line" && ink) {
-        symbol.className = "inked";
-        symbol.style.setProperty("--ink", ink);
+        term.className = "inked";
+        term.style.setProperty("--ink", ink);
       }
-      list.append(element("div", {}, symbol, value("dd")));
+      list.append(element("div", {}, term, value("dd")));
     }
   }
   $("explanation").replaceChildren(...top);
@@ -724,7 +737,8 @@ function hold(down) {
 }
 
 function go(step) {
-  if (step < 1 || step > STEPS) return;
+  if (step < 1 || step > STEPS || step === state.step) return;
+  leave();
   change(`step ${step}`);
   stage.moving = false;
   notice();
@@ -743,7 +757,15 @@ function command() {
 
 async function copy(what) {
   notice(() => `${text("Copied:")} ${what}`);
-  try { await navigator.clipboard.writeText(what); } catch { /* It is shown, and can be copied by hand. */ }
+  try { await navigator.clipboard.writeText(what); } catch {
+    // Where that is forbidden, as it is from a server without a certificate, the old way may do.
+    const [field, focus] = [element("textarea", { value: what }), document.activeElement];
+    document.body.append(field);
+    field.select();
+    document.execCommand("copy");
+    field.remove();
+    focus.focus({ preventScroll: true });
+  }
 }
 
 function buttons() {
@@ -759,7 +781,13 @@ function buttons() {
   $("outside").onclick = () => { change(`outside ${outside ? "off" : "on"}`); refresh(); };
   $("numbers").querySelector("select").onchange = (event) => { numbersOf = event.target.value; explain(); };
   $("divider").oninput = () => { showStage(); writeAddress(); };
-  $("unpin").onclick = () => { pin = null; refresh(); };
+  $("unpin").onclick = () => {
+    // What is hidden cannot keep the focus.
+    if (document.activeElement === $("unpin")) $("picture").focus({ preventScroll: true });
+    pin = null;
+    refresh();
+  };
+  $("notice").onclick = () => notice();
   $("reset").onclick = () => moved("reset");
   $("link").onclick = () => copy(location.href.split("#")[0] + address());
   $("command").onclick = () => copy(command());
@@ -777,6 +805,7 @@ function buttons() {
     else if (event.key === "v") $("vectors").click();
     else if (event.key === "h") $("handles").click();
     else if (event.key === "o") $("outside").click();
+    else if (event.key === "Escape" && said()) notice();
     else if (event.key === "Escape" && pin) $("unpin").click();
     else return;
     event.preventDefault();
@@ -789,11 +818,21 @@ function buttons() {
     // A link to a step takes all along; one with settings shows just these, and keeps the pin.
     if (!link.hash.includes("&")) return go(Number(link.hash.slice(5)));
     const kept = pin;
+    leave();
     open(link.hash);
     pin = kept;
     refresh();
   });
   addEventListener("hashchange", () => { if (location.hash !== written) open(location.hash); });
+}
+
+/** Of each line of a difference, how far it is indented. */
+function indent() {
+  for (const lines of document.querySelectorAll(".diff")) {
+    for (const part of lines.childNodes)
+      if (part.nodeType === 3) part.replaceWith(...part.data.split(/(?<=\n)/).map((line) => element("span", { textContent: line })));
+    for (const line of lines.children) line.style.setProperty("--indent", line.textContent.search(/[^-+ ]|$/));
+  }
 }
 
 function speak(chosen) {
@@ -822,6 +861,8 @@ translate();
 $("language").onclick = () => { speak(language === "en" ? "pt-BR" : "en"); if (state) refresh(); };
 start().then(() => {
   run(`language ${language}`);
+  document.documentElement.classList.add("runs");
+  indent();
   hands();
   buttons();
   open(location.hash);

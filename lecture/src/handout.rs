@@ -89,10 +89,39 @@ fn finish(handout: &mut Handout, heading: Option<String>, mut part: Vec<Event<'_
     }
     let mut text = String::new();
     html::push_html(&mut text, on_the_page(part, name).into_iter());
+    let text = with_indices(&text);
     match heading {
         Some(heading) => handout.sections.push(Section { heading, html: text }),
         None => handout.lead.push_str(&text),
     }
+}
+
+/// `html` with what stands in its text as `k_d` written with an index; code is as it is.
+fn with_indices(html: &str) -> String {
+    let mut pieces = html.split('<');
+    let mut indexed = pieces.next().unwrap_or_default().to_owned();
+    let mut code = 0_usize;
+    for piece in pieces {
+        // In an equation a `<` may be a sign of its own.
+        let Some((tag, mut text)) = piece.split_once('>') else {
+            let _ = write!(indexed, "<{piece}");
+            continue;
+        };
+        match tag.split_whitespace().next() {
+            Some("code" | "pre" | "a") => code += 1,
+            Some("/code" | "/pre" | "/a") => code = code.saturating_sub(1),
+            _ => {}
+        }
+        let _ = write!(indexed, "<{tag}>");
+        while let Some((before, after)) = text.split_once('_').filter(|_| code == 0) {
+            let end = after.find(|next: char| !next.is_alphabetic()).unwrap_or(after.len());
+            let (index, rest) = after.split_at(end);
+            let _ = write!(indexed, "{before}<sub>{index}</sub>");
+            text = rest;
+        }
+        indexed.push_str(text);
+    }
+    indexed
 }
 
 /// Equations become MathML, settings become links that set them, differences are coloured, tables of
@@ -140,7 +169,7 @@ fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str) -> Vec<Event<'a>> {
             Event::End(TagEnd::CodeBlock) => {
                 let html = match code.take() {
                     Some((true, code)) => coloured(code.lines()),
-                    Some((_, code)) => format!("<pre tabindex=\"0\">{}</pre>", escape(&code)),
+                    Some((_, code)) => format!("<pre>{}</pre>", escape(&code)),
                     None => String::new(),
                 };
                 events.push(Event::Html(html.into()));
@@ -226,7 +255,7 @@ pub(crate) fn coloured<'a>(lines: impl Iterator<Item = &'a str>) -> String {
             Some(b'@') => ("<i>", "</i>"),
             _ => ("", ""),
         };
-        let _ = writeln!(html, "{tag}{}{end}", escape(line));
+        let _ = write!(html, "{tag}{}\n{end}", escape(line));
     }
     html + "</pre>"
 }

@@ -28,7 +28,7 @@ use crate::handout::escape;
 
 /// Pixels of a figure's picture, and what part of it a JPEG keeps: so that the page stays small.
 const STILL_WIDTH: u32 = 300;
-const STILL_QUALITY: u8 = 40;
+const STILL_QUALITY: u8 = 35;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
