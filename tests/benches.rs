@@ -1,4 +1,4 @@
-//! What a pixel costs: `cargo bench`.
+//! What a pixel costs: `cargo bench -p tests --features bench`.
 //!
 //! Pictures have 1333 × 750 pixels, a million but for a few, so that a picture's milliseconds are
 //! a pixel's nanoseconds.

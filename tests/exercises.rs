@@ -399,7 +399,7 @@ fn each_mistake_is_told_from_all_others() {
     let mut unnamed: Vec<&str> = Mistake::ALL.iter().map(|mistake| mistake.what).collect();
     unnamed.dedup();
     for (index, name) in STEPS.iter().enumerate() {
-        let size = Size::new(48, 27).expect("a size");
+        let size = Size::new(32, 18).expect("a size");
         let setups = views.map(|view| {
             let mut setup = Setup::new(Rc::new(move || step(index)));
             if let Some((control, value)) = view.split_once('=') {
@@ -427,7 +427,7 @@ fn each_mistake_is_told_from_all_others() {
             let found: Vec<RgbImage> = frames
                 .iter()
                 .map(|frame| {
-                    RgbImage::from_fn(48, 27, |col, row| Rgb(mistake.pixel(frame, col, row)))
+                    RgbImage::from_fn(32, 18, |col, row| Rgb(mistake.pixel(frame, col, row)))
                 })
                 .collect();
             let pictures = frames.iter().zip(&expected).zip(&found);

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use std::rc::Rc;
+use std::sync::LazyLock;
 
 use common::Anchor;
 use common::Canvas;
@@ -114,7 +115,7 @@ fn names() -> BTreeSet<String> {
 fn texts() -> BTreeSet<String> {
     let names = names();
     let mut texts = BTreeSet::new();
-    for folder in ["common/src", "lecture/src"] {
+    for folder in ["common/src", "common/show/src", "lecture/src"] {
         let sources = sources(&root().join(folder)).concat();
         let literals = literals(&sources).into_iter();
         texts.extend(literals.filter(|(code, _)| code.ends_with("text!(")).map(|(_, text)| text));
@@ -246,7 +247,7 @@ fn texts_fit_where_they_stand() {
 
 /// The words that only the texts of one language have, of English and of Portuguese. Names are of
 /// neither.
-fn vocabularies() -> [BTreeSet<String>; 2] {
+static VOCABULARIES: LazyLock<[BTreeSet<String>; 2]> = LazyLock::new(|| {
     let (english, portuguese): (Vec<String>, Vec<String>) =
         Language::catalogue().into_iter().unzip();
     let all = |texts: Vec<String>| -> BTreeSet<String> {
@@ -260,7 +261,7 @@ fn vocabularies() -> [BTreeSet<String>; 2] {
         these.difference(those).filter(|word| !names.contains(*word)).cloned().collect()
     };
     [only(&english, &portuguese), only(&portuguese, &english)]
-}
+});
 
 /// The words of a text without its options, files, settings and titles of slides.
 fn words(text: &str) -> Vec<String> {
@@ -277,7 +278,7 @@ fn words(text: &str) -> Vec<String> {
 /// Fails unless all that is said is in this language.
 #[track_caller]
 fn is_spoken(language: Language, said: &str) {
-    let [english, portuguese] = vocabularies();
+    let [english, portuguese] = &*VOCABULARIES;
     let (its, others) = match language {
         Language::English => (english, portuguese),
         Language::Portuguese => (portuguese, english),

@@ -27,7 +27,8 @@ pub struct Explanation {
 }
 
 /// What hands back another value than the one told, given what was told before: to see where a
-/// mistake in one line leads. Others it hands back as they are.
+/// mistake in one line leads. Others it hands back as they are. It is asked with a symbol, `n·l`, or
+/// with an equation up to its =, `t =`.
 pub type Slip = fn(&Explanation, &'static str, Value) -> Value;
 
 /// A part of the algorithm.
@@ -287,18 +288,24 @@ impl Explanation {
     where
         T: Copy + Into<Value> + TryFrom<Value>,
     {
-        let alter = |value, slip: &Slip| slip(self, equation, value);
-        let altered = (!self.slips.is_empty())
-            .then(|| self.slips.iter().fold(value.into(), alter))
-            .and_then(|altered| altered.try_into().ok());
-        altered.unwrap_or(value)
+        if self.slips.is_empty() {
+            return value;
+        }
+        let begin = equation.split_inclusive('=').next().unwrap_or(equation);
+        let altered = self.slips.iter().fold(value.into(), |value, slip| slip(self, begin, value));
+        altered.try_into().unwrap_or(value)
     }
+}
+
+/// What stands before the =; all of a symbol.
+fn left_side(equation: &'static str) -> &'static str {
+    equation.split('=').next().unwrap_or(equation).trim_end()
 }
 
 impl Line {
     /// The symbol that the line gives a value to: the equation's left side.
     pub fn symbol(&self) -> &'static str {
-        self.equation.split(" = ").next().unwrap_or(self.equation)
+        left_side(self.equation)
     }
 }
 
@@ -385,7 +392,7 @@ impl Listener for Explanation {
         let light = self.altered(equation, light);
         self.tell(equation, light, None);
         let name = match self.last_group().name {
-            "" => equation.split(" = ").next().unwrap_or(equation),
+            "" => left_side(equation),
             name => name,
         };
         self.terms.push((name, light));

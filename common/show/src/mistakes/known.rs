@@ -14,11 +14,11 @@ use common::Vec3;
 /// depend on what was said before and, with a name and a type, on the value told.
 macro_rules! told {
     (|$said:pat_param $(, $value:ident: $type:ty)?| $($symbol:literal => $other:expr),+ $(,)?) => {
-        |said: &Explanation, equation: &'static str, told: Value| {
+        |said: &Explanation, begin: &'static str, told: Value| {
             $(let Ok($value) = <$type>::try_from(told) else { return told };)?
             let $said = said;
-            match equation.split_inclusive(" =").next() {
-                $(Some($symbol) => Value::from($other),)+
+            match begin {
+                $($symbol => Value::from($other),)+
                 _ => told,
             }
         }
