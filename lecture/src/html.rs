@@ -18,8 +18,10 @@ use common::Language;
 use common::text;
 use flate2::Compression;
 use flate2::write::GzEncoder;
-use image::codecs::jpeg::JpegEncoder;
 use image::imageops::FilterType;
+use jpeg_encoder::ColorType;
+use jpeg_encoder::Encoder;
+use jpeg_encoder::SamplingFactor;
 use lecture::PROGRAMS;
 
 use crate::handout;
@@ -120,7 +122,10 @@ fn stills(folder: &Path, style: &mut String) -> Result<()> {
         let (width, height) = (picture.width(), picture.height());
         let small = picture.resize(STILL_WIDTH, height, FilterType::Triangle).to_rgb8();
         let mut bytes = Vec::new();
-        JpegEncoder::new_with_quality(&mut bytes, STILL_QUALITY).encode_image(&small)?;
+        let mut encoder = Encoder::new(&mut bytes, STILL_QUALITY);
+        encoder.set_optimized_huffman_tables(true);
+        encoder.set_sampling_factor(SamplingFactor::R_4_2_0);
+        encoder.encode(&small, small.width() as u16, small.height() as u16, ColorType::Rgb)?;
         let bytes = STANDARD.encode(bytes);
         let _ = writeln!(
             style,
@@ -193,7 +198,7 @@ fn build(root: &Path) -> Result<PathBuf> {
         )),
     };
     build.current_dir(root).args(["rustc", "--quiet", "-p", "lecture", "--lib"]);
-    build.args(["--no-default-features", "--crate-type", "cdylib", "--profile", "page"]);
+    build.args(["--crate-type", "cdylib", "--profile", "page"]);
     let target = env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), PathBuf::from);
     let target = path::absolute(target)?;
     build.args(["--target", TARGET, "--target-dir"]).arg(&target);

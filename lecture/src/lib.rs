@@ -6,18 +6,18 @@
 #[cfg(target_family = "wasm")]
 mod exports;
 mod figures;
-#[cfg(feature = "desktop")]
+#[cfg(not(target_family = "wasm"))]
 mod lesson;
 mod page;
 
-#[cfg(feature = "desktop")]
+#[cfg(not(target_family = "wasm"))]
 use std::rc::Rc;
 
-#[cfg(feature = "desktop")]
+#[cfg(not(target_family = "wasm"))]
 use common::Size;
 use common::Step;
 pub use figures::FIGURES;
-#[cfg(feature = "desktop")]
+#[cfg(not(target_family = "wasm"))]
 use lesson::Lesson;
 pub use page::Page;
 
@@ -29,13 +29,13 @@ pub struct Program {
     /// Makes the step as it starts.
     pub make: fn() -> Box<dyn Step>,
     /// Its handout, in Markdown.
-    #[cfg(feature = "desktop")]
+    #[cfg(not(target_family = "wasm"))]
     pub handout: &'static str,
     /// The same in Portuguese.
-    #[cfg(feature = "desktop")]
+    #[cfg(not(target_family = "wasm"))]
     pub handout_in_portuguese: &'static str,
     /// Its diff to the step before; "" of the first.
-    #[cfg(feature = "desktop")]
+    #[cfg(not(target_family = "wasm"))]
     pub diff: &'static str,
 }
 
@@ -75,15 +75,15 @@ macro_rules! program {
         Program {
             name: stringify!($step),
             make: || Box::new($step::Lesson::default()),
-            #[cfg(feature = "desktop")]
+            #[cfg(not(target_family = "wasm"))]
             handout: include_str!(concat!("../../", stringify!($step), "/README.md")),
-            #[cfg(feature = "desktop")]
+            #[cfg(not(target_family = "wasm"))]
             handout_in_portuguese: include_str!(concat!(
                 "../../",
                 stringify!($step),
                 "/README.pt-BR.md"
             )),
-            #[cfg(feature = "desktop")]
+            #[cfg(not(target_family = "wasm"))]
             diff: $diff,
         }
     };
@@ -92,7 +92,7 @@ macro_rules! program {
 steps!(programs);
 
 /// The steps as programs of one window, with what their handouts say in short and their diffs.
-#[cfg(feature = "desktop")]
+#[cfg(not(target_family = "wasm"))]
 pub fn programs() -> Vec<show::Program> {
     let program = |step: Program| {
         // They are shown as long as the window.

@@ -1,12 +1,13 @@
 //! What shows a step. [`Session`] is what a class does, whatever window it is done in: events in,
-//! effects out. With the feature `desktop` there are also a window, files and the command line, and
-//! [`main`] is all that a step's program has to call.
+//! effects out. But in a browser there are also a window, files and the command line, and `main` is all
+//! that a step's program has to call.
 //!
-//! Nothing here knows of spheres, scenes or light, and without `desktop` nothing asks for a clock, a
-//! thread or a file. A step's library does not know of this crate: its program does.
+//! Nothing here knows of spheres, scenes or light, and what there is in a browser asks for no clock,
+//! thread or file. A step's library does not know of this crate, nor could it be built for a browser
+//! if it did: its program and its figures do.
 
 mod compare;
-#[cfg(feature = "desktop")]
+#[cfg(not(target_family = "wasm"))]
 mod desktop;
 mod figure;
 mod mistakes;
@@ -21,13 +22,13 @@ pub use compare::Comparison;
 pub use compare::Difference;
 pub(crate) use compare::TOLERANCE;
 pub use compare::side_by_side;
-#[cfg(feature = "desktop")]
+#[cfg(not(target_family = "wasm"))]
 pub use desktop::lecture;
-#[cfg(feature = "desktop")]
+#[cfg(not(target_family = "wasm"))]
 pub use desktop::main;
-#[cfg(feature = "desktop")]
+#[cfg(not(target_family = "wasm"))]
 pub use desktop::render_parallel;
-#[cfg(feature = "desktop")]
+#[cfg(not(target_family = "wasm"))]
 #[doc(hidden)]
 pub use desktop::run;
 pub use figure::Axes;
@@ -38,14 +39,14 @@ pub use mistakes::Mistake;
 pub use mistakes::Pair;
 pub use mistakes::centered;
 pub use outside::Outside;
-#[cfg(feature = "desktop")]
+#[cfg(not(target_family = "wasm"))]
 pub(crate) use session::Compare;
 pub use session::Effect;
 pub use session::Event;
 pub use session::KEYS;
 pub use session::Key;
 pub use session::LECTURE_KEYS;
-#[cfg(feature = "desktop")]
+#[cfg(not(target_family = "wasm"))]
 pub(crate) use session::OUTSIDE;
 pub use session::Program;
 pub use session::Session;

@@ -107,7 +107,7 @@ macro_rules! figure_main {
             $crate::Program::figure(module_path!(), $concept, $figure)
         }
 
-        #[cfg(feature = "desktop")]
+        #[cfg(not(target_family = "wasm"))]
         #[allow(dead_code, reason = "on the web page, a figure is no program of its own")]
         fn main() -> std::process::ExitCode {
             $crate::run(program(), std::env::args_os())

@@ -237,7 +237,7 @@ impl Session {
     }
 
     /// Starts by comparing with the step before.
-    #[cfg(feature = "desktop")]
+    #[cfg(not(target_family = "wasm"))]
     pub(crate) fn comparing(mut self, compare: Compare) -> Self {
         self.compare = compare;
         self
@@ -245,7 +245,7 @@ impl Session {
 
     /// Starts outside of the camera, if there is an onlooker, and with a pixel pinned, if there is
     /// one: its column and row in the picture as it is saved.
-    #[cfg(feature = "desktop")]
+    #[cfg(not(target_family = "wasm"))]
     pub(crate) fn pinning(mut self, onlooker: Option<View>, pixel: Option<(usize, usize)>) -> Self {
         let center = |at: usize, pixels: usize| (at as f32 + 0.5) / pixels as f32;
         let (width, height) = (self.picture.width(), self.picture.height());
