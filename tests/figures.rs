@@ -9,7 +9,10 @@ use std::path::Path;
 use std::path::PathBuf;
 use std::process::Output;
 
+use image::RgbImage;
 use lecture::FIGURES;
+use rayon::iter::IntoParallelIterator;
+use rayon::iter::ParallelIterator;
 use tests::STEPS;
 use tests::hold_picture;
 use tests::program;
@@ -61,7 +64,7 @@ fn arguments(line: &str) -> Vec<&OsStr> {
 }
 
 /// What `name` writes with `options`.
-fn written(name: &str, options: &str, file: &str) -> image::RgbImage {
+fn written(name: &str, options: &str, file: &str) -> RgbImage {
     let path = scratch(file);
     let mut arguments = arguments(options);
     arguments.extend([OsStr::new("-o"), path.as_os_str()]);
@@ -72,37 +75,35 @@ fn written(name: &str, options: &str, file: &str) -> image::RgbImage {
 /// In Portuguese too, where its words make it another picture.
 #[test]
 fn every_figure_is_the_committed_one() {
-    let mut wrong = Vec::new();
-    for step in STEPS {
-        let mut committed = Vec::new();
-        for name in names(step, "examples") {
-            let figure = format!("examples/{name}");
-            let written = |language: &str| {
+    let held: Vec<(&str, String, Option<String>)> = figures()
+        .into_par_iter()
+        .flat_map_iter(|(step, name)| {
+            let [english, portuguese] = ["en", "pt"].map(|language| {
                 let options = format!("--samples 2 --language {language}");
-                written(&figure, &options, &format!("{name}_{language}.png"))
-            };
-            let (english, portuguese) = (written("en"), written("pt"));
-            let in_portuguese = (portuguese != english).then(|| (in_portuguese(&name), portuguese));
-            let mut hold = |committed_as: String, found| {
-                let file = root().join(step).join("figures").join(format!("{committed_as}.png"));
+                written(&format!("examples/{name}"), &options, &format!("{name}_{language}.png"))
+            });
+            let own = (portuguese != english).then(|| (in_portuguese(&name), portuguese));
+            let hold = move |(name, found): (String, RgbImage)| {
+                let file = root().join(step).join("figures").join(format!("{name}.png"));
                 // Which points shadow themselves is decided by the last bit of a number, and that
                 // differs between processors.
                 let by_chance = name == "acne" && cfg!(not(target_arch = "x86_64"));
-                if !by_chance || updating_snapshots() {
-                    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
-                    wrong.extend(hold_picture(&file, &found, &[], folder).err());
-                }
-                committed.push(committed_as);
+                let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+                let is_held = !by_chance || updating_snapshots();
+                let held = if is_held { hold_picture(&file, &found, &[], folder) } else { Ok(()) };
+                (step, name, held.err())
             };
-            hold(name.clone(), english);
-            if let Some((name, picture)) = in_portuguese {
-                hold(name, picture);
-            }
-        }
+            [(name, english)].into_iter().chain(own).map(hold).collect::<Vec<_>>()
+        })
+        .collect();
+    let wrong: Vec<&str> = held.iter().filter_map(|(.., wrong)| wrong.as_deref()).collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    for step in STEPS {
+        let of_step = held.iter().filter(|(of, ..)| *of == step).map(|(_, name, _)| name.clone());
+        let mut committed: Vec<String> = of_step.collect();
         committed.sort();
         assert_eq!(names(step, "figures"), committed, "{step}");
     }
-    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 /// A handout shows a picture without words in both languages, and another one in its own.
