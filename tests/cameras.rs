@@ -1,11 +1,5 @@
 //! Where viewing rays start and go, and which ray belongs to which pixel.
 
-use common::OrthographicCamera;
-use common::PerspectiveCamera;
-use common::check_loop;
-use tests::every_step::Near;
-use tests::every_step::TOLERANCE;
-use tests::every_step::assert_near;
 use tests::prelude::*;
 
 checks!(packages {

@@ -1,21 +1,13 @@
 //! What is drawn over a picture: each shape where it belongs and nowhere else, and text that can
 //! be read.
 
-use common::Anchor;
-use common::Area;
-use common::Canvas;
-use common::Color;
-use common::Font;
-use common::Ink;
-use image::Rgb;
-use image::RgbImage;
 use proptest::prop_assert;
 use proptest::prop_assert_eq;
 use proptest::prop_oneof;
 use proptest::proptest;
 use proptest::sample::select;
 use proptest::strategy::Strategy;
-use tests::chance::config;
+use tests::prelude::*;
 
 const RED: Ink = Ink::new(255, 80, 60);
 

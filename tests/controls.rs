@@ -2,8 +2,6 @@
 
 use std::fmt;
 
-use image::RgbImage;
-use tests::every_step::Near;
 use tests::prelude::*;
 
 const WIDTH: usize = 160;

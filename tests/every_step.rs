@@ -1,82 +1,28 @@
 //! The steps as the checks see them: what several of them have, under one name and in one set of
-//! types, so that one check runs against all. What later steps add to a thing stays neutral.
+//! types, those of step 07, so that one check runs against all. A step takes from them what it knows.
 
 use std::fmt::Display;
 
-use common::Camera;
-use common::Color;
-use common::Explanation;
-use common::Image;
-use common::Pixel;
-use common::Ray;
-use common::Silent;
-use common::Step;
-use common::Value;
-use common::Vec3;
+use common::*;
+pub use lecture::step07_specular::intersection::IntersectionRecord as Hit;
+pub use lecture::step07_specular::light::PointLight as Light;
+pub use lecture::step07_specular::material::Material as Paint;
+pub use lecture::step07_specular::sphere::Sphere as Ball;
 use lecture::*;
+use show::told;
 
 /// How far the closed forms may be off. Their numbers stay below 16, and one that is the result
 /// of a handful of operations is off by a handful of halves of the last bit of 16.
 pub const TOLERANCE: f32 = 32.0 * f32::EPSILON;
 
-/// Where a ray meets a surface, in every step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hit {
-    /// How far along the ray, in units of |d|.
-    pub t: f32,
-    /// The point r(t).
-    pub point: Vec3,
-    /// The surface's unit normal.
-    pub normal: Vec3,
+/// A material with only a diffuse share.
+pub const fn matte(k_d: Color) -> Paint {
+    Paint { k_a: Color::ZERO, k_d, k_s: 0.0, exponent: 1.0, phong: false }
 }
 
-/// A sphere.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ball {
-    /// In world units.
-    pub center: Vec3,
-    /// In world units.
-    pub radius: f32,
-}
-
-/// A material; each step takes from it what it knows.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Paint {
-    /// The ambient share.
-    pub k_a: Color,
-    /// The diffuse share.
-    pub k_d: Color,
-    /// The specular share.
-    pub k_s: f32,
-    /// p
-    pub exponent: f32,
-    /// Whether its highlights are Phong's.
-    pub phong: bool,
-}
-
-impl Paint {
-    /// Only a diffuse share.
-    pub const fn matte(k_d: Color) -> Self {
-        Self { k_a: Color::ZERO, k_d, k_s: 0.0, exponent: 1.0, phong: false }
-    }
-}
-
-/// A point light.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Light {
-    /// In world units.
-    pub position: Vec3,
-    /// I
-    pub intensity: f32,
-    /// Whether light thins out with distance.
-    pub attenuation: bool,
-}
-
-impl Light {
-    /// A light that thins out with distance.
-    pub const fn new(position: Vec3, intensity: f32) -> Self {
-        Self { position, intensity, attenuation: true }
-    }
+/// A light that thins out with distance.
+pub const fn light(position: Vec3, intensity: f32) -> Light {
+    Light { name: "light", position, intensity, attenuation: true }
 }
 
 /// A scene; each step takes from it what it knows.
@@ -128,25 +74,24 @@ pub trait Package: Step + Clone + Default {
 /// The steps with spheres, from 02 on.
 pub trait Spheres: Package {
     /// The first hit with t_min < t < t_max.
-    fn sphere(ball: Ball, ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit>;
-
-    /// What is told of the search for any hit with t > 0.
-    fn explain_sphere(ball: Ball, ray: &Ray) -> Explanation;
+    fn sphere(
+        ball: Ball, ray: &Ray, t_min: f32, t_max: f32, say: &mut impl Listener,
+    ) -> Option<Hit>;
 }
 
 /// The steps with triangles, from 03 on.
 pub trait Triangles: Spheres {
     /// The hit with t_min < t < t_max.
-    fn triangle(abc: [Vec3; 3], ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit>;
-
-    /// What is told of the search for a hit with t > 0.
-    fn explain_triangle(abc: [Vec3; 3], ray: &Ray) -> Explanation;
+    fn triangle(
+        abc: [Vec3; 3], ray: &Ray, t_min: f32, t_max: f32, say: &mut impl Listener,
+    ) -> Option<Hit>;
 
     /// t and α, β, γ of the point with t > 0 where `ray` meets the triangle's plane.
     fn solve(abc: [Vec3; 3], ray: &Ray) -> Option<(f32, Vec3)> {
-        let told = Self::explain_triangle(abc, ray);
-        let weights = [number(&told, "α")?, number(&told, "β")?, number(&told, "γ")?];
-        Some((number(&told, "t")?, Vec3::from(weights)))
+        let [t, weights @ ..] = told(["t", "α", "β", "γ"], |say| {
+            Self::triangle(abc, ray, 0.0, f32::INFINITY, say);
+        })?;
+        Some((t, Vec3::from(weights)))
     }
 }
 
@@ -173,11 +118,8 @@ pub trait Scenes: Triangles {
     fn trace(scene: &Self::Scene, ray: &Ray) -> Color;
 }
 
-/// The steps with light, from 05 on.
-pub trait Lights: Scenes {}
-
 /// The steps with shadows, from 06 on.
-pub trait Shadows: Lights {
+pub trait Shadows: Scenes {
     /// Whether a light at `position` is seen from `point`.
     fn is_visible(scene: &Self::Scene, position: Vec3, point: Vec3) -> bool;
 }
@@ -209,26 +151,14 @@ macro_rules! hit {
     };
 }
 
-/// What `$tell` tells the listener that it is given.
-macro_rules! told {
-    ($tell:expr) => {{
-        let mut told = Explanation::new(Pixel { col: 0, row: 0, width: 1, height: 1 });
-        $tell(&mut told);
-        told
-    }};
-}
-
 macro_rules! spheres {
     ($_01:ident $($step:ident)*) => { $(
         impl Spheres for $step::Lesson {
-            fn sphere(ball: Ball, ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit> {
+            fn sphere(
+                ball: Ball, ray: &Ray, t_min: f32, t_max: f32, say: &mut impl Listener,
+            ) -> Option<Hit> {
                 let sphere = $step::sphere::Sphere { center: ball.center, radius: ball.radius };
-                hit!(sphere.intersect(ray, t_min, t_max, &mut Silent))
-            }
-
-            fn explain_sphere(ball: Ball, ray: &Ray) -> Explanation {
-                let sphere = $step::sphere::Sphere { center: ball.center, radius: ball.radius };
-                told!(|say| sphere.intersect(ray, 0.0, f32::INFINITY, say))
+                hit!(sphere.intersect(ray, t_min, t_max, say))
             }
         }
     )* };
@@ -239,14 +169,10 @@ steps!(spheres);
 macro_rules! triangles {
     ($_01:ident $_02:ident $($step:ident)*) => { $(
         impl Triangles for $step::Lesson {
-            fn triangle(abc: [Vec3; 3], ray: &Ray, t_min: f32, t_max: f32) -> Option<Hit> {
-                let triangle = $step::triangle::Triangle::new(abc);
-                hit!(triangle.intersect(ray, t_min, t_max, &mut Silent))
-            }
-
-            fn explain_triangle(abc: [Vec3; 3], ray: &Ray) -> Explanation {
-                let triangle = $step::triangle::Triangle::new(abc);
-                told!(|say| triangle.intersect(ray, 0.0, f32::INFINITY, say))
+            fn triangle(
+                abc: [Vec3; 3], ray: &Ray, t_min: f32, t_max: f32, say: &mut impl Listener,
+            ) -> Option<Hit> {
+                hit!($step::triangle::Triangle::new(abc).intersect(ray, t_min, t_max, say))
             }
         }
     )* };
@@ -254,38 +180,46 @@ macro_rules! triangles {
 
 steps!(triangles);
 
-/// `$material` makes the step's material of a [`Paint`], `$k_d` gets its diffuse share back, and
-/// `$light` puts the lights of a [`World`] into its scene.
+/// `$material` is the step's material of a [`Paint`], `$k_d` the diffuse share of that, and `$light`
+/// puts the lights of a [`World`] into a scene.
 macro_rules! scenes {
-    ($step:ident, $material:expr, $k_d:expr, $light:expr $(,)?) => {
+    (
+        $step:ident, $paint:ident => $material:expr, $made:ident => $k_d:expr,
+        $scene:ident, $world:ident => $light:expr
+    ) => {
         impl Scenes for $step::Lesson {
             type Scene = $step::scene::Scene;
 
-            fn scene(world: &World) -> Self::Scene {
-                let sphere = |(ball, paint): &(Ball, Paint)| {
-                    let surface =
-                        $step::sphere::Sphere { center: ball.center, radius: ball.radius };
-                    let surface = $step::surface::Surface::Sphere(surface);
-                    $step::scene::Object { name: "sphere", material: $material(paint), surface }
+            fn scene($world: &World) -> Self::Scene {
+                let object = |surface, $paint: &Paint| $step::scene::Object {
+                    name: "object",
+                    material: $material,
+                    surface,
                 };
-                let triangle = |(abc, paint): &([Vec3; 3], Paint)| {
-                    let surface = $step::triangle::Triangle::new(*abc);
-                    let surface = $step::surface::Surface::Triangle(surface);
-                    $step::scene::Object { name: "triangle", material: $material(paint), surface }
+                let spheres = $world.spheres.iter().map(|(Ball { center, radius }, paint)| {
+                    let sphere = $step::sphere::Sphere { center: *center, radius: *radius };
+                    object($step::surface::Surface::Sphere(sphere), paint)
+                });
+                let triangles = $world.triangles.iter().map(|(abc, paint)| {
+                    let triangle = $step::triangle::Triangle::new(*abc);
+                    object($step::surface::Surface::Triangle(triangle), paint)
+                });
+                #[allow(unused_mut)]
+                let mut $scene = $step::scene::Scene {
+                    objects: spheres.chain(triangles).collect(),
+                    background: $world.background,
+                    ..$step::scene::lecture_scene()
                 };
-                let mut scene = $step::scene::lecture_scene();
-                scene.objects = world.spheres.iter().map(sphere).collect();
-                scene.objects.extend(world.triangles.iter().map(triangle));
-                scene.background = world.background;
-                $light(&mut scene, world);
-                scene
+                $light;
+                $scene
             }
 
             fn closest(
                 scene: &Self::Scene, ray: &Ray, t_min: f32, t_max: f32,
             ) -> Option<(Hit, Color)> {
                 let (record, object) = scene.intersect(ray, t_min, t_max, &mut Silent)?;
-                hit!(Some(record)).zip(Some($k_d(object.material)))
+                let $made = &object.material;
+                hit!(Some(record)).zip(Some($k_d))
             }
 
             fn trace(scene: &Self::Scene, ray: &Ray) -> Color {
@@ -314,42 +248,31 @@ macro_rules! many_lights {
         $scene.lit = $scene.lights.len();
         $scene.ambient = $world.ambient;
         $scene.shadows = $world.shadows;
-        $scene.epsilon = $world.epsilon;
+        $scene.epsilon = $world.epsilon
     };
 }
 
-scenes! {
-    step04_scene,
-    |paint: &Paint| paint.k_d,
-    |material: Color| material,
-    |_: &mut lecture::step04_scene::scene::Scene, _: &World| (),
-}
+scenes!(step04_scene, paint => paint.k_d, k_d => *k_d, scene, world => ());
 
-scenes! {
-    step05_diffuse,
-    |paint: &Paint| lecture::step05_diffuse::material::Material { k_d: paint.k_d },
-    |material: lecture::step05_diffuse::material::Material| material.k_d,
-    |scene: &mut lecture::step05_diffuse::scene::Scene, world: &World| {
-        let none = Light::new(Vec3::ZERO, 0.0);
+scenes!(
+    step05_diffuse, paint => step05_diffuse::material::Material { k_d: paint.k_d },
+    material => material.k_d, scene, world => {
+        let none = light(Vec3::ZERO, 0.0);
         scene.light = point_light!(step05_diffuse, world.lights.first().unwrap_or(&none));
-    },
-}
+    }
+);
 
-scenes! {
+scenes!(
     step06_shadows,
-    |paint: &Paint| lecture::step06_shadows::material::Material { k_a: paint.k_a, k_d: paint.k_d },
-    |material: lecture::step06_shadows::material::Material| material.k_d,
-    |scene: &mut lecture::step06_shadows::scene::Scene, world: &World| {
-        many_lights!(step06_shadows, scene, world);
-    },
-}
+    paint => step06_shadows::material::Material { k_a: paint.k_a, k_d: paint.k_d },
+    material => material.k_d, scene, world => { many_lights!(step06_shadows, scene, world); }
+);
 
 /// The steps from 07 on: the floor has nothing of what they add to a material.
 macro_rules! later_scenes {
     ($_01:ident $_02:ident $_03:ident $_04:ident $_05:ident $_06:ident $($step:ident)*) => { $(
-        scenes! {
-            $step,
-            |paint: &Paint| {
+        scenes!(
+            $step, paint => {
                 let lecture = $step::scene::lecture_scene();
                 let mut floor = lecture.objects.into_iter().filter(|object| object.name == "floor");
                 let mut material = floor.next().expect("the lecture's scene has a floor").material;
@@ -360,29 +283,18 @@ macro_rules! later_scenes {
                 material.phong = paint.phong;
                 material
             },
-            |material: $step::material::Material| material.k_d,
-            |scene: &mut $step::scene::Scene, world: &World| {
-                many_lights!($step, scene, world);
-            },
-        }
+            material => material.k_d, scene, world => { many_lights!($step, scene, world); }
+        );
     )* };
 }
 
 steps!(later_scenes);
 
-macro_rules! lights {
-    ($_01:ident $_02:ident $_03:ident $_04:ident $($step:ident)*) => {
-        $(impl Lights for $step::Lesson {})*
-    };
-}
-
-steps!(lights);
-
 macro_rules! shadows {
     ($_01:ident $_02:ident $_03:ident $_04:ident $_05:ident $($step:ident)*) => { $(
         impl Shadows for $step::Lesson {
             fn is_visible(scene: &Self::Scene, position: Vec3, point: Vec3) -> bool {
-                let light = point_light!($step, Light::new(position, 1.0));
+                let light = point_light!($step, light(position, 1.0));
                 scene.is_visible(&light, point, &mut Silent)
             }
         }

@@ -11,17 +11,11 @@ use std::process::Command;
 use std::process::Output;
 use std::rc::Rc;
 
-use image::Rgb;
-use image::RgbImage;
 use image::imageops;
 use rayon::iter::IntoParallelRefIterator;
 use rayon::iter::ParallelIterator;
-use show::Mistake;
-use show::Pair;
 use tempfile::tempdir;
-use tests::empty_folder;
 use tests::prelude::*;
-use tests::say;
 
 /// The text of a file that is replaced, and by what.
 type Change = (&'static str, &'static str, &'static str);

@@ -17,10 +17,8 @@ use std::time::Instant;
 
 use image::DynamicImage;
 use image::ImageFormat;
-use image::RgbImage;
 use tempfile::TempDir;
 use tempfile::tempdir;
-use tests::mend_checksums;
 use tests::prelude::*;
 
 const STEP: &str = STEPS[6];

@@ -7,31 +7,8 @@ use std::path::Path;
 use std::rc::Rc;
 use std::sync::LazyLock;
 
-use common::Anchor;
-use common::Canvas;
-use common::Explanation;
-use common::Font;
-use common::Ink;
-use common::Language;
-use common::Outcome;
-use common::Size;
-use common::translated;
-use image::Rgb;
-use image::RgbImage;
-use show::Event;
-use show::KEYS;
-use show::Key;
-use show::LECTURE_KEYS;
-use show::Mistake;
-use show::Program;
-use show::Session;
-use show::marks;
 use tempfile::tempdir;
-use tests::STEPS;
-use tests::command;
-use tests::root;
-use tests::setup;
-use tests::step;
+use tests::prelude::*;
 
 /// The string literals of Rust source before its unit tests, each with what stands before it.
 fn literals(source: &str) -> Vec<(String, String)> {

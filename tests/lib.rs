@@ -22,51 +22,33 @@ use std::process::Output;
 use std::rc::Rc;
 use std::sync::LazyLock;
 
-use common::Camera;
-use common::Color;
-use common::Frame;
-use common::Image;
-use common::Size;
-use common::Step;
-use common::View;
-use image::RgbImage;
 use image::codecs::png::CompressionType;
 use image::codecs::png::FilterType;
 use image::codecs::png::PngEncoder;
 use lecture::PROGRAMS;
-use show::Comparison;
-use show::Setup;
-use show::side_by_side;
+use lecture::steps;
+
+use crate::prelude::*;
 
 /// Whether a window needs a display that can be taken away from a program, which then writes its
 /// picture to a file. Elsewhere it would open a window and wait for its user.
 pub const X11: bool = cfg!(all(unix, not(target_os = "macos")));
 
-/// The packages of the steps, in order.
-pub const STEPS: [&str; PROGRAMS.len()] = {
-    let mut names = [""; PROGRAMS.len()];
-    let mut index = 0;
-    while index < names.len() {
-        names[index] = PROGRAMS[index].name;
-        index += 1;
-    }
-    names
-};
+macro_rules! names {
+    ($($step:ident)*) => {
+        /// The packages of the steps, in order.
+        pub const STEPS: [&str; PROGRAMS.len()] = [$(stringify!($step)),*];
+    };
+}
+
+steps!(names);
 
 /// A step as it starts, by its index in [`STEPS`].
-///
-/// # Panics
-///
-/// When there is no such step.
 pub fn step(index: usize) -> Box<dyn Step> {
     (PROGRAMS[index].make)()
 }
 
 /// What `step` shows from `view`, with one ray a pixel.
-///
-/// # Panics
-///
-/// When the size is none.
 pub fn picture(step: &dyn Step, view: &View, width: usize, height: usize) -> RgbImage {
     let size = Size::new(width, height).expect("a size");
     let camera = view.camera(size.aspect());
@@ -98,7 +80,7 @@ pub fn root() -> &'static Path {
 /// Prints a line, also from a test that passes.
 pub fn say(line: &str) {
     // Tests keep what println prints to themselves. Without standard error there is nobody to tell.
-    let _ = io::stderr().write_all(format!("{line}\n").as_bytes());
+    let _ = writeln!(io::stderr(), "{line}");
 }
 
 /// Whether snapshots are to be made anew instead of held to.
@@ -107,25 +89,14 @@ pub fn updating_snapshots() -> bool {
 }
 
 /// The picture in a PNG file.
-///
-/// # Panics
-///
-/// When there is none.
 pub fn read_picture(path: &Path) -> RgbImage {
     let picture = image::open(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     picture.to_rgb8()
 }
 
 /// Compares `found` with `expected`; `others` are named pictures that it may be instead.
-///
-/// # Errors
-///
-/// When they differ: how, in one line, and where to see it. Both pictures and their difference are
-/// then in `name`_differs.png in `folder`.
-///
-/// # Panics
-///
-/// When the folder cannot be written to.
+/// When they differ it says how, in one line, and where to see it: both pictures and their difference
+/// are then in `name`_differs.png in `folder`.
 pub fn compare(
     name: &str, expected: &RgbImage, found: &RgbImage, others: &[(&str, RgbImage)], folder: &Path,
 ) -> Result<Comparison, String> {
@@ -140,14 +111,6 @@ pub fn compare(
 }
 
 /// Holds `found` to the snapshot `path`, a PNG, or makes that anew; for the rest see [`compare`].
-///
-/// # Errors
-///
-/// When they differ, and when there is no snapshot.
-///
-/// # Panics
-///
-/// When a file cannot be written.
 pub fn hold_picture(
     path: &Path, found: &RgbImage, others: &[(&str, RgbImage)], folder: &Path,
 ) -> Result<(), String> {
@@ -214,10 +177,6 @@ pub fn command(name: &str, folder: &Path) -> Command {
 }
 
 /// The names of the files in `folder`, hidden ones too, in order.
-///
-/// # Panics
-///
-/// When it cannot be read.
 pub fn files(folder: &Path) -> Vec<OsString> {
     let entries = fs::read_dir(folder).expect("a folder");
     let mut names: Vec<OsString> =
@@ -227,10 +186,6 @@ pub fn files(folder: &Path) -> Vec<OsString> {
 }
 
 /// The folder `name` in `parent`, made anew and empty.
-///
-/// # Panics
-///
-/// When it cannot be made.
 pub fn empty_folder(parent: &Path, name: &str) -> PathBuf {
     let folder = parent.join(name);
     let _ = fs::remove_dir_all(&folder);
@@ -239,35 +194,9 @@ pub fn empty_folder(parent: &Path, name: &str) -> PathBuf {
 }
 
 /// The single line that `output` has on standard error.
-///
-/// # Panics
-///
-/// When there is none or there are more, or it is not text.
 pub fn only_line(output: &Output) -> &str {
     let text = str::from_utf8(&output.stderr).expect("text on standard error");
     let line = text.strip_suffix('\n').expect("a whole line on standard error");
     assert!(!line.contains('\n'), "more than one line on standard error:\n{text}");
     line
-}
-
-/// The checksum of PNG chunks, as in appendix D of its specification.
-fn crc32(bytes: &[u8]) -> u32 {
-    !bytes.iter().fold(!0, |crc, byte| {
-        (0..8).fold(crc ^ u32::from(*byte), |crc, _| {
-            if crc & 1 == 1 { 0xedb8_8320 ^ (crc >> 1) } else { crc >> 1 }
-        })
-    })
-}
-
-/// Gives each chunk of `png` the checksum that it should have, so that what is inside is looked at.
-pub fn mend_checksums(png: &mut [u8]) {
-    let mut at = 8;
-    while let Some(&[a, b, c, d]) = png.get(at..at + 4) {
-        let end = at + 8 + u32::from_be_bytes([a, b, c, d]) as usize;
-        let Some(chunk) = png.get(at + 4..end) else { return };
-        let checksum = crc32(chunk).to_be_bytes();
-        let Some(place) = png.get_mut(end..end + 4) else { return };
-        place.copy_from_slice(&checksum);
-        at = end + 4;
-    }
 }

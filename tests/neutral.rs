@@ -1,26 +1,31 @@
 //! Switching off what a step adds gives the step before it, to the last bit of every pixel.
 
-use common::Control;
+use lecture::step01_rays::Lesson as Rays;
+use lecture::step02_sphere::Lesson as Sphere;
+use lecture::step03_triangle::Lesson as Triangle;
+use lecture::step04_scene::Lesson as Flat;
+use lecture::step05_diffuse::Lesson as Diffuse;
+use lecture::step06_shadows::Lesson as Shadow;
+use lecture::step07_specular::Lesson as Specular;
 use tests::prelude::*;
 
 const WIDTH: usize = 96;
 const HEIGHT: usize = 54;
 
 /// The lecture's view and one from the side, in both projections.
-fn views(step: &dyn Step) -> Vec<View> {
-    let mut views = Vec::new();
-    for (turn, projection) in [
+fn views(step: &dyn Step) -> [View; 4] {
+    [
         (0.0, Projection::Perspective),
         (0.0, Projection::Parallel),
         (50.0, Projection::Perspective),
         (-130.0, Projection::Parallel),
-    ] {
+    ]
+    .map(|(turn, projection)| {
         let mut view = step.view();
-        view.azimuth += turn;
+        view.orbit(turn, 0.0);
         view.projection = projection;
-        views.push(view);
-    }
-    views
+        view
+    })
 }
 
 fn camera(view: &View) -> Box<dyn Camera> {
@@ -72,11 +77,9 @@ fn same_whatever_is_set<A: Package, B: Package>(later: &A, earlier: &B, why: &st
                 (control.name.clone(), control.of, control.takes(), control.text())
             };
             let mut controls = later.controls();
-            let same_one = |other: &&mut Control<'_>| other.name == name && other.of == of;
-            let control = controls.iter_mut().find(same_one);
-            let control = control.unwrap_or_else(|| {
-                panic!("{} has lost the control '{name}' of {}, {of:?}", A::NAME, B::NAME)
-            });
+            let control = controls.iter_mut().find(|other| other.name == name && other.of == of);
+            let control =
+                control.unwrap_or_else(|| panic!("{} has no '{name}' of {of:?}", A::NAME));
             control.set_fraction(fraction);
             assert_eq!((control.takes(), control.text()), (takes, text.clone()), "'{name}'");
             drop(controls);
@@ -87,144 +90,93 @@ fn same_whatever_is_set<A: Package, B: Package>(later: &A, earlier: &B, why: &st
 }
 
 #[test]
-fn step07_without_k_s_is_step06() {
-    let mut later = lecture::step07_specular::Lesson::default();
-    later.scene.objects.iter_mut().for_each(|object| object.material.k_s = 0.0);
-    let earlier = lecture::step06_shadows::Lesson::default();
-    same_whatever_is_set(&later, &earlier, "with k_s = 0 every L_s is 0: L = L_a + the sum of L_d");
-}
-
-#[test]
-fn step07_without_l_s_is_step06() {
-    let mut later = lecture::step07_specular::Lesson::default();
+fn step07_without_k_s_or_l_s_is_step06() {
+    let mut later = Specular::default();
     later.scene.weights[2] = 0.0;
-    let earlier = lecture::step06_shadows::Lesson::default();
-    same_whatever_is_set(&later, &earlier, "the weight of L_s is 0: L = L_a + the sum of L_d");
+    let why = "the weight of L_s is 0: L = L_a + the sum of L_d";
+    same_whatever_is_set(&later, &Shadow::default(), why);
+    let mut later = Specular::default();
+    later.scene.objects.iter_mut().for_each(|object| object.material.k_s = 0.0);
+    let why = "with k_s = 0 every L_s is 0: L = L_a + the sum of L_d";
+    same_whatever_is_set(&later, &Shadow::default(), why);
 }
 
 #[test]
 fn step06_with_one_light_and_no_shadow_is_step05() {
-    let mut later = lecture::step06_shadows::Lesson::default();
+    let mut later = Shadow::default();
     later.scene.ambient = 0.0;
     later.scene.lit = 1;
     later.scene.shadows = false;
-    let earlier = lecture::step05_diffuse::Lesson::default();
     let why = "no ambient light, the key light alone and nothing in its way: L = L_d";
-    same_whatever_is_set(&later, &earlier, why);
+    same_whatever_is_set(&later, &Diffuse::default(), why);
 }
 
 #[test]
 fn step05_with_its_light_divided_out_is_step04() {
-    let (later, earlier) =
-        (lecture::step05_diffuse::Lesson::default(), lecture::step04_scene::Lesson::default());
+    let (later, earlier) = (Diffuse::default(), Flat::default());
     for view in views(&later) {
-        let flat = colors(&earlier, &view);
-        let lit: Vec<Color> = explanations(&later, &view)
-            .iter()
-            .zip(&flat)
-            .map(|(explanation, flat)| {
-                let irradiance = number(explanation, "I/r²");
-                match irradiance.zip(number(explanation, "n·l")) {
-                    Some((irradiance, n_dot_l)) => *flat * irradiance * n_dot_l.max(0.0),
-                    // The background is no surface, and so is not lit.
-                    None => *flat,
-                }
-            })
-            .collect();
+        let mut lit = colors(&earlier, &view);
+        for (color, told) in lit.iter_mut().zip(explanations(&later, &view)) {
+            // The background is no surface, and so is not lit.
+            if let Some((irradiance, n_dot_l)) = number(&told, "I/r²").zip(number(&told, "n·l")) {
+                *color = *color * irradiance * n_dot_l.max(0.0);
+            }
+        }
         let why = "L_d = k_d (I/r²) max(0, n·l), and k_d is step 04's flat colour";
-        same::<lecture::step05_diffuse::Lesson, lecture::step04_scene::Lesson>(
-            &colors(&later, &view),
-            &lit,
-            why,
-        );
+        same::<Diffuse, Flat>(&colors(&later, &view), &lit, why);
     }
 }
 
-/// What is known of a pixel before light comes in: the ray, and from step 04 on all hits.
-fn same_rays_and_hits<A: Package, B: Package>(
-    later: &A, earlier: &B, view: &View, sections: usize,
-) {
-    for (a, b) in explanations(later, view).iter().zip(explanations(earlier, view)) {
-        assert_eq!(
-            a.sections[..sections],
-            b.sections[..sections],
-            "pixel ({}, {}): {} should cast the rays of {} and find its hits",
-            a.pixel.col,
-            a.pixel.row,
-            A::NAME,
-            B::NAME
-        );
-    }
-}
-
+/// What is known of a pixel before light comes in: the ray, and all hits.
 #[test]
 fn steps_04_to_07_hit_the_same() {
-    let first = lecture::step04_scene::Lesson::default();
+    let first = Flat::default();
+    let later: [&dyn Step; 3] = [&Diffuse::default(), &Shadow::default(), &Specular::default()];
     for view in views(&first) {
-        same_rays_and_hits(&lecture::step05_diffuse::Lesson::default(), &first, &view, 2);
-        same_rays_and_hits(&lecture::step06_shadows::Lesson::default(), &first, &view, 2);
-        same_rays_and_hits(&lecture::step07_specular::Lesson::default(), &first, &view, 2);
+        let expected = explanations(&first, &view);
+        for later in later {
+            for (a, b) in explanations(later, &view).iter().zip(&expected) {
+                assert_eq!(a.sections[..2], b.sections[..2], "the rays and hits are step 04's");
+            }
+        }
     }
 }
 
 #[test]
 fn step04_with_one_triangle_covers_what_step03_does() {
-    let earlier = lecture::step03_triangle::Lesson::default();
-    let later = lecture::step04_scene::Lesson {
-        scene: lecture::step04_scene::Lesson::scene(&World {
-            triangles: vec![(earlier.vertices, Paint::matte(Color::ONE))],
-            ..World::default()
-        }),
-    };
+    let earlier = Triangle::default();
+    let triangles = vec![(earlier.vertices, matte(Color::ONE))];
+    let later = Flat { scene: Flat::scene(&World { triangles, ..World::default() }) };
     for view in views(&earlier) {
         // α + β + γ = 1 inside, so that no pixel of it is black.
-        let covered: Vec<Color> = colors(&earlier, &view)
-            .into_iter()
-            .map(|weights| if weights == Color::ZERO { Color::ZERO } else { Color::ONE })
-            .collect();
+        let white = |weights| if weights == Color::ZERO { Color::ZERO } else { Color::ONE };
+        let covered: Vec<Color> = colors(&earlier, &view).into_iter().map(white).collect();
         let why = "its triangle is all there is, in white";
-        same::<lecture::step04_scene::Lesson, lecture::step03_triangle::Lesson>(
-            &colors(&later, &view),
-            &covered,
-            why,
-        );
+        same::<Flat, Triangle>(&colors(&later, &view), &covered, why);
     }
 }
 
 #[test]
 fn step04_with_the_unit_sphere_is_step02() {
-    let earlier = lecture::step02_sphere::Lesson::default();
-    let ball = Ball { center: Vec3::ZERO, radius: 1.0 };
-    let later = lecture::step04_scene::Lesson {
-        scene: lecture::step04_scene::Lesson::scene(&World {
-            spheres: vec![(ball, Paint::matte(Color::ONE))],
-            ..World::default()
-        }),
-    };
+    let earlier = Sphere::default();
+    let spheres = vec![(Ball { center: Vec3::ZERO, radius: 1.0 }, matte(Color::ONE))];
+    let later = Flat { scene: Flat::scene(&World { spheres, ..World::default() }) };
     for view in views(&earlier) {
         let why = "the slide's white unit sphere on black is all there is";
-        let (later, earlier) = (colors(&later, &view), colors(&earlier, &view));
-        same::<lecture::step04_scene::Lesson, lecture::step02_sphere::Lesson>(
-            &later, &earlier, why,
-        );
+        same::<Flat, Sphere>(&colors(&later, &view), &colors(&earlier, &view), why);
     }
 }
 
 #[test]
 fn steps_02_and_03_cast_the_rays_of_step01() {
-    let first = lecture::step01_rays::Lesson::default();
-    let (second, third) =
-        (lecture::step02_sphere::Lesson::default(), lecture::step03_triangle::Lesson::default());
-    assert_eq!(second.view(), first.view(), "step 02 keeps the view of step 01");
-    assert_eq!(third.view(), first.view(), "step 03 keeps the view of step 01");
-    for view in views(&first) {
-        for sections in [explanations(&second, &view), explanations(&third, &view)] {
-            for (a, b) in sections.iter().zip(explanations(&first, &view)) {
+    let first = Rays::default();
+    let later: [&dyn Step; 2] = [&Sphere::default(), &Triangle::default()];
+    for later in later {
+        assert_eq!(later.view(), first.view(), "the view is step 01's");
+        for view in views(&first) {
+            for (a, b) in explanations(later, &view).iter().zip(explanations(&first, &view)) {
                 let lines = &b.sections[0].groups[0].lines[..3];
-                assert_eq!(
-                    a.sections[0].groups[0].lines, lines,
-                    "(u, v), p and d are those of step 01"
-                );
+                assert_eq!(a.sections[0].groups[0].lines, lines, "(u, v), p and d are step 01's");
             }
         }
     }
@@ -234,7 +186,7 @@ fn steps_02_and_03_cast_the_rays_of_step01() {
 fn the_pictures_compared_show_something() {
     // Black equals black: what is neutral must not be nothing. Step 01 does show one colour where
     // it should: parallel rays have one direction.
-    for step in (1..tests::STEPS.len()).map(tests::step) {
+    for step in (1..STEPS.len()).map(step) {
         for view in views(&*step) {
             let colors = colors(&*step, &view);
             assert!(colors.iter().any(|color| *color != colors[0]), "{view:?} shows one colour");

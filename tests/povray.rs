@@ -3,16 +3,10 @@
 use std::path::Path;
 use std::process::Command;
 
-use image::RgbImage;
-
-use crate::read_picture;
+use crate::prelude::*;
 
 /// What POV-Ray makes of `scene`, with its variables set as `declared`. The picture stays in
 /// `file`.
-///
-/// # Panics
-///
-/// When POV-Ray is not installed, or fails: with what it says.
 pub fn render(scene: &Path, declared: &[&str], size: (usize, usize), file: &Path) -> RgbImage {
     let (width, height) = size;
     let folder = file.parent().expect("a file in a folder");

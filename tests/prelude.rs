@@ -1,48 +1,12 @@
 //! What most tests use, under its short name.
 
-pub use common::Camera;
-pub use common::Color;
-pub use common::Controls;
-pub use common::Explanation;
-pub use common::Frame;
-pub use common::Image;
-pub use common::Pixel;
-pub use common::Projection;
-pub use common::Ray;
-pub use common::Silent;
-pub use common::Size;
-pub use common::Step;
-pub use common::Vec3;
-pub use common::View;
-pub use common::encode;
-pub use show::Setting;
-pub use show::Setup;
+#![allow(ambiguous_glob_reexports)]
 
-pub use crate::STEPS;
-pub use crate::X11;
-pub use crate::chance::config;
-pub use crate::checks;
-pub use crate::colors;
-pub use crate::command;
-pub use crate::every_step::Ball;
-pub use crate::every_step::Hit;
-pub use crate::every_step::Light;
-pub use crate::every_step::Lights;
-pub use crate::every_step::Package;
-pub use crate::every_step::Paint;
-pub use crate::every_step::Scenes;
-pub use crate::every_step::Shadows;
-pub use crate::every_step::Spheres;
-pub use crate::every_step::Triangles;
-pub use crate::every_step::World;
-pub use crate::every_step::hit;
-pub use crate::every_step::near;
-pub use crate::every_step::number;
-pub use crate::files;
-pub use crate::only_line;
-pub use crate::picture;
-pub use crate::picture_of;
-pub use crate::read_picture;
-pub use crate::root;
-pub use crate::setup;
-pub use crate::step;
+pub use common::*;
+pub use image::Rgb;
+pub use image::RgbImage;
+pub use show::*;
+
+pub use crate::chance::*;
+pub use crate::every_step::*;
+pub use crate::*;

@@ -13,11 +13,7 @@ use std::collections::HashSet;
 use std::fs;
 use std::path::Path;
 
-use common::OrthographicCamera;
-use common::PerspectiveCamera;
 use fastrand::Rng;
-use image::Rgb;
-use image::RgbImage;
 use lecture::step07_specular::Lesson;
 use lecture::step07_specular::light::PointLight;
 use lecture::step07_specular::material::Material;
@@ -26,10 +22,7 @@ use lecture::step07_specular::scene::Scene;
 use lecture::step07_specular::sphere::Sphere;
 use lecture::step07_specular::surface::Surface;
 use lecture::step07_specular::triangle::Triangle;
-use show::side_by_side;
-use tests::povray;
 use tests::prelude::*;
-use tests::say;
 
 /// What rounding to a byte may make of a channel.
 const TOLERANCE: u8 = 1;

@@ -4,11 +4,7 @@
 use std::path::Path;
 use std::path::PathBuf;
 
-use image::RgbImage;
-use tests::compare;
-use tests::povray;
 use tests::prelude::*;
-use tests::say;
 
 checks!(scenes {
     shows_what_pov_ray_does,

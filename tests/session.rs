@@ -2,18 +2,7 @@
 
 use std::rc::Rc;
 
-use common::Area;
-use common::Ink;
-use image::Rgb;
-use image::RgbImage;
 use image::imageops;
-use show::Effect;
-use show::Event;
-use show::Key;
-use show::Program;
-use show::Session;
-use show::Wanted;
-use show::symbol_ink;
 use tests::prelude::*;
 
 const WINDOW: Size = Size::DEFAULT;

@@ -3,43 +3,13 @@
 
 use std::path::Path;
 
-use common::Area;
-use common::Canvas;
-use common::Explanation;
-use common::Ink;
-use common::Pixel;
-use common::Projection;
-use common::Ray;
-use common::Silent;
-use common::Step;
-use common::Vec3;
-use common::View;
-use image::Rgb;
-use image::RgbImage;
 use lecture::step07_specular::Lesson;
 use proptest::prelude::any;
 use proptest::prop_assert;
 use proptest::prop_assert_eq;
 use proptest::proptest;
 use proptest::strategy::Strategy;
-use show::Handle;
-use show::Mark;
-use show::MarkShape;
-use show::Outside;
-use show::Setup;
-use show::Sight;
-use show::drag;
-use show::draw_vectors;
-use show::handle_at;
-use show::marks;
-use show::symbol_ink;
-use tests::STEPS;
-use tests::chance::config;
-use tests::hold_picture;
-use tests::picture;
-use tests::root;
-use tests::setup;
-use tests::step;
+use tests::prelude::*;
 
 const SIZE: (usize, usize) = (480, 270);
 const ASPECT: f32 = 480.0 / 270.0;

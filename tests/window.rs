@@ -17,17 +17,7 @@ use std::process::Stdio;
 use std::thread;
 use std::time::Duration;
 use std::time::Instant;
-
-use common::Frame;
-use common::Size;
-use show::Comparison;
-use tests::STEPS;
-use tests::empty_folder;
-use tests::picture;
-use tests::program;
-use tests::read_picture;
-use tests::setup;
-use tests::step;
+use tests::prelude::*;
 
 /// Asks again until there is an answer.
 fn until<T>(what: &str, mut ask: impl FnMut() -> Option<T>) -> T {
