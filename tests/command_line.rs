@@ -1,6 +1,8 @@
 //! What is typed: each wrong input gets one line that says what is wrong and what to do instead.
 
+use std::ffi::OsStr;
 use std::ffi::OsString;
+use std::fmt::Debug;
 use std::io;
 #[cfg(unix)]
 use std::process::Command;
@@ -14,90 +16,16 @@ use proptest::sample::select;
 use tempfile::tempdir;
 use tests::prelude::*;
 
-/// Arguments that the last step does not take, and words of the line that says so.
-const WRONG: &[(&[&str], &[&str])] = &[
-    (&["--size", "0x0"], &["'0x0'", "at least 1"]),
-    (&["--size", "100000x100000"], &["100000 pixels a side", "100 million"]),
-    (&["--size", "100001x1"], &["100000 pixels a side"]),
-    (&["--size", "18446744073709551616x2"], &["100000 pixels a side"]),
-    (&["--size", "-5x3"], &["'-5x3'", "WIDTHxHEIGHT", "960x540"]),
-    (&["--size", "5"], &["'5'", "WIDTHxHEIGHT"]),
-    (&["--size", "5x5x5"], &["'5x5x5'", "WIDTHxHEIGHT"]),
-    (&["--size", ""], &["''", "WIDTHxHEIGHT"]),
-    (&["--size", "٣x٣"], &["'٣x٣'", "WIDTHxHEIGHT"]),
-    (&["--size", "3\n3"], &["--size", "WIDTHxHEIGHT"]),
-    (&["--size", "--help"], &["'--help'", "WIDTHxHEIGHT"]),
-    (&["--size"], &["--size <WxH>", "value is required"]),
-    (&["-s", "9x9", "--size", "8x8"], &["--size", "cannot be used multiple times"]),
-    (&["--samples", "0"], &["'0'", "1 to 16"]),
-    (&["--samples", "17"], &["'17'", "1 to 16"]),
-    (&["--samples", "99999999999999999999"], &["1 to 16"]),
-    (&["--samples", "two"], &["'two'", "1 to 16"]),
-    (&["--set", "fov"], &["'fov' has no '='", "NAME=VALUE"]),
-    (&["--set", "-h"], &["'-h' has no '='", "NAME=VALUE"]),
-    (&["--set", "="], &["no control ''", "there are", "azimuth", "fov"]),
-    (&["--set", "FOV=40"], &["no control 'FOV'", "did you mean 'fov'?"]),
-    (&["--set", "fov =40"], &["no control 'fov '", "did you mean 'fov'?"]),
-    (&["--set", "distnace=4"], &["did you mean 'distance'?"]),
-    (&["--set", "zoom=4"], &["no control 'zoom'; there are", "fov"]),
-    (&["--set", "fo\nv=4"], &[r"no control 'fo\nv'", "did you mean 'fov'?"]),
-    (&["--set", "fo\u{1b}[31mv=4"], &[r"no control 'fo\u{1b}[31mv'"]),
-    (&["--set", "fo\u{9b}31mv=4"], &[r"no control 'fo\u{9b}31mv'"]),
-    (&["--set", "fov=nan"], &["'fov' cannot be 'nan'", "1 to 170"]),
-    (&["--set", "fov=0"], &["'fov' cannot be '0'", "1 to 170"]),
-    (&["--set", "fov=180"], &["'fov' cannot be '180'", "1 to 170"]),
-    (&["--set", "fov=4\n5"], &[r"'fov' cannot be '4\n5'", "1 to 170"]),
-    (&["--set", "camera=wide"], &["'camera' cannot be 'wide'", "perspective | parallel"]),
-    (&["--set", "fov=0", "--set", "fov=40"], &["'fov' cannot be '0'"]),
-    (&["--camera", "wide"], &["'wide'", "--camera", "perspective, parallel"]),
-    (&["--camera", "paralel"], &["'paralel'", "similar", "'parallel'"]),
-    (&["--pixel", "960,0"], &["no pixel 960,0", "960x540", "0,0 to 959,539"]),
-    (&["-s", "9x5", "--pixel", "9,5"], &["no pixel 9,5", "9x5", "0,0 to 8,4"]),
-    (&["--pixel", "-1,0"], &["'-1,0'", "whole numbers from 0"]),
-    (&["--pixel", "99999999999999999999,0"], &["whole numbers from 0"]),
-    (&["--pixel", "5"], &["'5'", "X,Y", "480,270"]),
-    (&["--pixel", ""], &["''", "X,Y", "480,270"]),
-    (&["--outside"], &["required", "--output <FILE>"]),
-    (&["--outside", "-o", "a.png", "--compare", "b.png"], &["--outside", "cannot be used with"]),
-    (&["--set", "outside.azmuth=1"], &["no control 'outside.azmuth'", "'outside.azimuth'?"]),
-    (&["--set", "outside.distance=no"], &["distance", "0.1 to 100"]),
-    (&["--pixel", "1,1", "--samples", "2"], &["--pixel", "cannot be used with", "--samples"]),
-    (&["--compare", "a.png", "--pixel", "1,1"], &["--pixel", "cannot be used with", "--compare"]),
-    (&["--output"], &["--output <FILE>", "value is required"]),
-    (&["-o", "-s", "9x9"], &["--output <FILE>", "value is required"]),
-    (&["-o", "a.jpg"], &["'a.jpg'", "name it a.png"]),
-    (&["-o", "b.c/a.ppm"], &["'b.c/a.ppm'", "name it b.c/a.png"]),
-    (&["--check", "step99"], &["no step 'step99'", "step01_rays, step02_sphere"]),
-    (&["--check", "step01_rays", "-s", "9x9"], &["--check", "cannot be used with", "--size"]),
-    (&["--bogus"], &["unexpected argument '--bogus'"]),
-    (&["--out=a.png"], &["unexpected argument '--out'", "similar", "'--output'"]),
-    (&["--help=all"], &["unexpected value 'all'", "--help"]),
-    (&["picture.png"], &["unexpected argument 'picture.png'"]),
-    (&["a\nb"], &["unexpected argument", "a", "b"]),
-    (&["--set", "radus=1"], &["no control 'radus'", "did you mean 'radius'?"]),
-    (&["--set", "l_s=1"], &["did you mean 'L_s'?"]),
-    (&["--set", "k_s=1.5"], &["'k_s' cannot be '1.5'", "0 to 1"]),
-    (&["--set", "light=camera"], &["'light' cannot be 'camera'", "key | fill"]),
-    (&["--set", "epsilon=1"], &["'epsilon' cannot be '1'", "0 to 0.1"]),
-    (&["--set", "lights=3"], &["'lights' cannot be '3'", "0 to 2"]),
-    (&["--set", "shadows=maybe"], &["'shadows' cannot be 'maybe'", "on | off"]),
-    (&["--set", "sphere=yellow"], &["'sphere' cannot be 'yellow'", "red | green | blue"]),
-];
-
 /// Runs the step in an empty folder.
-fn run(name: &str, arguments: &[OsString]) -> (Output, Vec<OsString>) {
+fn run(name: &str, arguments: &[impl AsRef<OsStr>]) -> (Output, Vec<OsString>) {
     let folder = tempdir().expect("a folder");
     let output = command(name, folder.path()).args(arguments).output().expect("it runs");
     (output, files(folder.path()))
 }
 
-fn strings(arguments: &[&str]) -> Vec<OsString> {
-    arguments.iter().map(OsString::from).collect()
-}
-
 /// One line with `words`, nothing on standard output, nothing written, status 2.
 #[track_caller]
-fn assert_refused(name: &str, arguments: &[OsString], words: &[&str]) {
+fn assert_refused(name: &str, arguments: &[impl AsRef<OsStr> + Debug], words: &[&str]) {
     let (output, files) = run(name, arguments);
     let line = only_line(&output);
     assert!(line.starts_with("error: "), "{arguments:?}: {line}");
@@ -114,10 +42,10 @@ fn assert_refused(name: &str, arguments: &[OsString], words: &[&str]) {
 #[test]
 fn wrong_arguments_are_refused_in_one_line() {
     for (arguments, words) in WRONG {
-        assert_refused(STEPS[6], &strings(arguments), words);
+        assert_refused(STEPS[6], arguments, words);
     }
     for name in STEPS {
-        assert_refused(name, &strings(&["--set", "fov=0"]), &["'fov' cannot be '0'", "1 to 170"]);
+        assert_refused(name, &["--set", "fov=0"], &["'fov' cannot be '0'", "1 to 170"]);
     }
 }
 
@@ -155,10 +83,10 @@ fn sizes_up_to_the_limits_are_rendered() {
 
 /// What `arguments` make of pixel (4, 4), of which not every part depends on every control.
 fn pixel(arguments: &[&str]) -> String {
-    let (output, _) =
-        run(STEPS[6], &strings(&[&["-s", "9x9", "--pixel", "4,4"], arguments].concat()));
+    let arguments = [&["-s", "9x9", "--pixel", "4,4"], arguments].concat();
+    let (output, files) = run(STEPS[6], &arguments);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}");
-    assert!(output.stderr.is_empty(), "{arguments:?}");
+    assert!(output.stderr.is_empty() && files.is_empty(), "{arguments:?}");
     String::from_utf8(output.stdout).expect("text")
 }
 
@@ -183,7 +111,7 @@ fn settings_are_applied_in_order_and_the_last_one_counts() {
 #[test]
 fn help_names_every_flag_and_control_and_writes_nothing() {
     for (index, name) in STEPS.iter().enumerate() {
-        let (output, files) = run(name, &strings(&["--help"]));
+        let (output, files) = run(name, &["--help"]);
         let text = String::from_utf8(output.stdout).expect("text");
         let flags =
             ["--output", "--size", "--camera", "--set", "--samples", "--pixel", "--compare"];
@@ -212,10 +140,8 @@ fn the_destination_of_a_comparison_is_checked_before_rendering() {
         let output = run(&["--compare", "a.png", "-o", output]);
         let line = only_line(&output);
         assert_eq!(output.status.code(), Some(status), "{line}");
-        assert!(
-            line.starts_with("error: ") && output.stdout.is_empty(),
-            "nothing is compared: {line}"
-        );
+        let compared = !line.starts_with("error: ") || !output.stdout.is_empty();
+        assert!(!compared, "{line}");
         assert_eq!(files(folder.path()), ["a.png"], "{line}");
     }
     let output = run(&["--compare", "a.png", "-o", "b.png"]);

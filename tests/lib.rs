@@ -10,6 +10,7 @@ pub mod chance;
 pub mod every_step;
 pub mod povray;
 pub mod prelude;
+pub mod wrong;
 
 use std::ffi::OsString;
 use std::fs;

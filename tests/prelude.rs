@@ -9,4 +9,5 @@ pub use show::*;
 
 pub use crate::chance::*;
 pub use crate::every_step::*;
+pub use crate::wrong::*;
 pub use crate::*;

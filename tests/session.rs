@@ -12,26 +12,19 @@ fn size(width: usize, height: usize) -> Size {
 }
 
 fn program(index: usize) -> Program {
-    let make = Rc::new(move || step(index));
-    Program::new(STEPS[index], "a concept", size(320, 180), make)
+    Program::new(STEPS[index], "a concept", size(320, 180), Rc::new(move || step(index)))
 }
 
 /// A step's session in a window of its picture's size.
 fn session(index: usize) -> Session {
-    let program = program(index);
-    let setup = Setup::new(program.make.clone());
-    Session::new(vec![program], 0, setup, size(320, 180), 1)
+    Session::new(vec![program(index)], 0, setup(index), size(320, 180), 1)
 }
 
 /// All steps' session, at the step `index`.
 fn lecture(index: usize) -> Session {
-    let programs: Vec<Program> = (0..STEPS.len()).map(program).collect();
-    let setup = Setup::new(programs[index].make.clone());
-    let programs = programs
-        .into_iter()
-        .map(|program| Program { diff: "+a line\n-another", idea: "an idea", ..program })
-        .collect();
-    Session::new(programs, index, setup, size(320, 180), 1)
+    let told = |index| Program { diff: "+a line\n-another", idea: "an idea", ..program(index) };
+    let programs = (0..STEPS.len()).map(told).collect();
+    Session::new(programs, index, setup(index), size(320, 180), 1)
 }
 
 fn key(session: &mut Session, key: Key) -> Vec<Effect> {
@@ -106,14 +99,13 @@ fn arrows_select_and_change() {
     assert_eq!(session.selected(), Some("radius"));
     key(&mut session, Key::Down);
     assert_eq!(session.selected(), Some("center.x"));
+    let place = |session: &Session| text(session, "center.x").parse::<f32>().expect("a number");
     assert!(key(&mut session, Key::Right).contains(&Effect::Redraw));
-    let coarse: f32 = text(&session, "center.x").parse().expect("a number");
-    assert!(coarse > 0.0);
+    let coarse = place(&session);
     key(&mut session, Key::Left);
-    let back: f32 = text(&session, "center.x").parse().expect("a number");
-    assert!(back.abs() < 1e-5, "{back}");
+    assert!(place(&session).abs() < 1e-5);
     session.handle(Event::Key(Key::Right, true));
-    let fine: f32 = text(&session, "center.x").parse().expect("a number");
+    let fine = place(&session);
     assert!(fine > 0.0 && fine < coarse / 5.0, "{fine} {coarse}");
     key(&mut session, Key::Up);
     assert_eq!(session.selected(), Some("radius"));
@@ -147,7 +139,7 @@ fn every_control_can_be_selected() {
             let marked = image.pixels().any(|pixel| pixel.0 == [43, 49, 61]);
             assert!(marked, "{name}: what is selected is not seen, after {:?}", seen.last());
         }
-        for setting in tests::setup(index).list() {
+        for setting in setup(index).list() {
             assert!(seen.contains(&setting.name), "{name}: {}", setting.name);
         }
     }
@@ -177,10 +169,10 @@ fn space_gives_the_picture_the_whole_window() {
     assert!(key(&mut session, Key::Space).contains(&Effect::Redraw));
     assert_eq!(session.picture_area(), Area::new(0.0, 0.0, 320.0, 180.0));
     let window = size(320, 180);
-    assert!(painted(&mut session, window) == tests::picture_of(session.setup(), 320, 180));
+    assert!(painted(&mut session, window) == picture_of(session.setup(), 320, 180));
     // What happens is said there too.
     session.handle(Event::Say("saved".to_owned()));
-    assert!(paint(&mut session, window) != tests::picture_of(session.setup(), 320, 180));
+    assert!(paint(&mut session, window) != picture_of(session.setup(), 320, 180));
     key(&mut session, Key::Space);
     assert_eq!(session.picture_area(), beside);
 }
@@ -188,8 +180,7 @@ fn space_gives_the_picture_the_whole_window() {
 #[test]
 fn a_figure_is_first_shown_alone() {
     let program = Program { is_figure: true, ..program(6) };
-    let setup = Setup::new(program.make.clone());
-    let session = Session::new(vec![program], 0, setup, size(320, 180), 1);
+    let session = Session::new(vec![program], 0, setup(6), size(320, 180), 1);
     assert_eq!(session.picture_area(), Area::new(0.0, 0.0, 320.0, 180.0));
     assert_eq!(session.command(), "cargo run --example step07_specular");
 }
@@ -230,33 +221,25 @@ fn a_key_pins_the_pixel_under_the_pointer() {
 }
 
 #[test]
-fn a_pinned_pixel_stays_in_any_window() {
-    let mut session = session(6);
-    click_middle(&mut session);
-    let pinned = session.pinned();
-    for (width, height) in [(1, 1), (120, 2000), (2000, 30), (5000, 3000), (320, 180)] {
-        painted(&mut session, size(width, height));
-        assert_eq!(session.pinned(), pinned);
-    }
-}
-
-#[test]
-fn the_whole_picture_has_its_shape_in_every_window() {
-    for (width, height) in [(960, 540), (1280, 720), (1920, 1080), (700, 1100), (1, 1), (120, 2000)]
-    {
-        for pinned in [false, true] {
-            let mut session = session(6);
-            if pinned {
-                click_middle(&mut session);
-            }
-            session.handle(Event::Resize(size(width, height)));
+fn the_whole_picture_has_its_shape_and_its_pinned_pixel_in_every_window() {
+    for pinned in [false, true] {
+        let mut session = session(6);
+        if pinned {
+            click_middle(&mut session);
+        }
+        let pixel = session.pinned();
+        for (width, height) in
+            [(960, 540), (1920, 1080), (700, 1100), (1, 1), (120, 2000), (2000, 30), (5000, 3000)]
+        {
+            painted(&mut session, size(width, height));
             let area = session.picture_area();
             assert!(area.left >= 0.0 && area.right() <= width as f32, "{area:?}");
             assert!(area.top >= 0.0 && area.bottom() <= height as f32, "{area:?}");
             assert!((area.width - area.height * 16.0 / 9.0).abs() <= 2.0, "{area:?}");
-            if width as f32 / height as f32 == 16.0 / 9.0 && height >= 540 {
+            if width * 9 == height * 16 {
                 assert!(area.width >= 0.6 * width as f32, "{area:?}");
             }
+            assert_eq!(session.pinned(), pixel);
         }
     }
 }
@@ -269,10 +252,9 @@ fn nothing_lies_over_the_picture() {
             let image = painted(&mut session, window);
             let area = session.picture_area();
             let (width, height) = (area.width as u32, area.height as u32);
-            let found =
-                imageops::crop_imm(&image, area.left as u32, area.top as u32, width, height);
-            let same = found.to_image() == rendered(&session)[0];
-            assert!(same, "{name} {window}");
+            let (left, top) = (area.left as u32, area.top as u32);
+            let found = imageops::crop_imm(&image, left, top, width, height).to_image();
+            assert!(found == rendered(&session)[0], "{name} {window}");
         }
     }
 }
@@ -296,32 +278,26 @@ fn a_drag_orbits_and_the_wheel_zooms() {
     assert_eq!(session.handle(Event::Move(x, y)), []);
 }
 
-/// Where the slider of the selected control ends, found as a hand would: by pressing.
-fn slide(session: &mut Session, window: Size) -> bool {
-    let before = session.setup().settings();
-    let selected = session.selected().map(str::to_owned);
-    for y in (0..window.height()).step_by(6) {
-        for x in (0..window.width()).step_by(6) {
-            let at = (x as f32, y as f32);
-            if session.picture_area().contains(at) {
-                continue;
-            }
-            session.handle(Event::Press(at.0, at.1));
-            if session.selected().map(str::to_owned) == selected
-                && session.setup().settings() != before
-            {
-                return true;
-            }
-            session.handle(Event::Release(at.0, at.1));
-        }
-    }
-    false
+/// Places of a [`WINDOW`] beside the picture, closer together than anything is high.
+fn beside(session: &Session) -> Vec<(f32, f32)> {
+    let places = (0..540).step_by(6).flat_map(|y| (0..960).step_by(6).map(move |x| (x, y)));
+    let places = places.map(|(x, y)| (x as f32, y as f32));
+    places.filter(|at| !session.picture_area().contains(*at)).collect()
 }
 
 #[test]
 fn a_slider_is_dragged_to_its_ends() {
     let mut session = wide(session(1));
-    assert!(slide(&mut session, WINDOW), "no slider was found");
+    // Found as a hand would: by pressing.
+    let found = beside(&session).into_iter().any(|(x, y)| {
+        session.handle(Event::Press(x, y));
+        let found = session.selected() == Some("radius") && !session.setup().settings().is_empty();
+        if !found {
+            session.handle(Event::Release(x, y));
+        }
+        found
+    });
+    assert!(found, "no slider was found");
     session.handle(Event::Move(5000.0, 5000.0));
     assert_eq!(text(&session, "radius"), "2");
     session.handle(Event::Move(-5000.0, 0.0));
@@ -334,12 +310,8 @@ fn a_slider_is_dragged_to_its_ends() {
 #[test]
 fn a_press_on_the_name_of_a_control_selects_it_and_changes_nothing() {
     let mut session = wide(session(1));
-    let places = (0..540).step_by(6).flat_map(|y| (0..960).step_by(6).map(move |x| (x, y)));
-    let is_a_name = |(x, y): (u16, u16)| {
-        let at = (f32::from(x), f32::from(y));
-        if !session.picture_area().contains(at) {
-            click(&mut session, at);
-        }
+    let is_a_name = |at| {
+        click(&mut session, at);
         let moved = !session.setup().settings().is_empty();
         let selected = session.selected() == Some("center.x");
         if selected {
@@ -348,7 +320,7 @@ fn a_press_on_the_name_of_a_control_selects_it_and_changes_nothing() {
         key(&mut session, Key::Home);
         selected && !moved
     };
-    assert!(places.into_iter().any(is_a_name));
+    assert!(beside(&wide(crate::session(1))).into_iter().any(is_a_name));
 }
 
 #[test]
@@ -407,9 +379,7 @@ fn a_click_on_a_heading_folds() {
 
 #[test]
 fn letters_grow_and_shrink() {
-    let window = size(960, 540);
-    let mut session = session(6);
-    session.handle(Event::Resize(window));
+    let mut session = wide(session(6));
     let usual = session.picture_area().width;
     assert!(key(&mut session, Key::Char('+')).contains(&Effect::Redraw));
     assert!(session.picture_area().width < usual);
@@ -418,7 +388,7 @@ fn letters_grow_and_shrink() {
     // Larger than the window, and smaller than a pixel.
     for (by, times) in [('+', 40), ('-', 80)] {
         (0..times).for_each(|_| drop(key(&mut session, Key::Char(by))));
-        for window in [window, size(60, 40), size(1, 1)] {
+        for window in [WINDOW, size(60, 40), size(1, 1)] {
             painted(&mut session, window);
         }
     }
@@ -501,14 +471,12 @@ fn the_command_gives_the_same_picture() {
     let command = session.command();
     assert_eq!(printed(&effects), Some(&*format!("{command}\n")));
     assert_eq!(session.note(), Some(&*command));
-    let settings = command.split(" --set ").skip(1);
-    let mut again = tests::setup(6);
-    for setting in settings {
+    let mut again = setup(6);
+    for setting in command.split(" --set ").skip(1) {
         let (name, value) = setting.split_once('=').expect("a setting");
         again.set(name, value).expect("it is taken");
     }
-    let expected = tests::picture_of(session.setup(), 160, 90);
-    assert!(tests::picture_of(&again, 160, 90) == expected);
+    assert!(picture_of(&again, 160, 90) == picture_of(session.setup(), 160, 90));
 }
 
 #[test]
@@ -582,11 +550,9 @@ fn keys_go_from_step_to_step() {
 fn the_step_before_is_seen_as_long_as_a_key_is_held() {
     let mut session = lecture(6);
     key(&mut session, Key::Tab);
-    let pictures: Vec<usize> = session.pictures().iter().map(|wanted| wanted.program).collect();
-    assert_eq!(pictures, [5]);
+    assert_eq!(session.pictures().iter().map(|wanted| wanted.program).collect::<Vec<_>>(), [5]);
     session.handle(Event::KeyUp(Key::Tab));
-    let pictures: Vec<usize> = session.pictures().iter().map(|wanted| wanted.program).collect();
-    assert_eq!(pictures, [6]);
+    assert_eq!(session.pictures().iter().map(|wanted| wanted.program).collect::<Vec<_>>(), [6]);
 }
 
 #[test]
@@ -599,15 +565,13 @@ fn a_line_divides_the_step_before_from_this_one() {
     let image = paint(&mut session, WINDOW);
     let sides = rendered(&session);
     assert!(sides[0] != sides[1]);
-    for row in 0..sides[0].height() {
-        for col in 0..sides[0].width() {
-            let side = match (col as f32) - (x + 100.0) {
-                off if off < -6.0 => 0,
-                off if off > 6.0 => 1,
-                _ => continue,
-            };
-            assert_eq!(image.get_pixel(col, row), sides[side].get_pixel(col, row), "{col} {row}");
-        }
+    for (col, row, before) in sides[0].enumerate_pixels() {
+        let expected = match (col as f32) - (x + 100.0) {
+            off if off < -6.0 => before,
+            off if off > 6.0 => sides[1].get_pixel(col, row),
+            _ => continue,
+        };
+        assert_eq!(image.get_pixel(col, row), expected, "{col} {row}");
     }
     key(&mut session, Key::Char('D'));
     assert_eq!(session.pictures().len(), 1);
@@ -627,11 +591,11 @@ fn differences_are_seen_eight_times() {
     key(&mut session, Key::Char('X'));
     let image = paint(&mut session, WINDOW);
     let pictures = rendered(&session);
-    for (col, row, this) in pictures[1].enumerate_pixels() {
-        let before = pictures[0].get_pixel(col, row).0;
-        let off = [0, 1, 2].map(|c| this.0[c].abs_diff(before[c]).saturating_mul(8));
-        assert_eq!(*image.get_pixel(col, row), Rgb(off));
-    }
+    let (width, height) = pictures[0].dimensions();
+    let panels = side_by_side(&pictures[0], &pictures[1]);
+    let [found, expected] = [(0, image), (2 * width, panels)]
+        .map(|(left, image)| imageops::crop_imm(&image, left, 0, width, height).to_image());
+    assert!(found == expected);
 }
 
 #[test]
@@ -654,9 +618,8 @@ fn the_lesson_is_read_beside_the_picture() {
 #[test]
 fn what_a_step_tells_anew_is_marked() {
     let marked = |mut session: Session| {
-        session.handle(Event::Resize(size(960, 540)));
         click_middle(&mut session);
-        let image = paint(&mut session, size(960, 540));
+        let image = painted(&mut session, WINDOW);
         image.pixels().filter(|pixel| pixel.0 == [150, 225, 150]).count()
     };
     for (index, name) in STEPS.iter().enumerate() {
