@@ -127,6 +127,9 @@ fn every_control_changes_the_picture_and_no_other_does_the_same() {
 fn every_value_shown_is_taken_and_has_at_most_four_decimals() {
     for which in every_control() {
         let mut setup = which.shown();
+        let start = setup.list();
+        setup.nudge(&which.name, 0.0);
+        assert_eq!(setup.list(), start, "{which}: no step of a key moves nothing");
         for percent in 0..=100 {
             setup.set_fraction(&which.name, percent as f32 / 100.0);
             let shown = which.setting(&mut setup).text;

@@ -4,11 +4,7 @@
 use std::path::Path;
 
 use lecture::step07_specular::Lesson;
-use proptest::prelude::any;
-use proptest::prop_assert;
-use proptest::prop_assert_eq;
-use proptest::proptest;
-use proptest::strategy::Strategy;
+use proptest::prelude::*;
 use tests::prelude::*;
 
 const SIZE: (usize, usize) = (480, 270);
@@ -18,21 +14,12 @@ const AREA: Area = Area::new(0.0, 0.0, 480.0, 270.0);
 /// Any view of step 07: its azimuth, elevation, distance, angle and kind of camera.
 fn views() -> impl Strategy<Value = View> {
     let numbers = (-180.0_f32..180.0, -80.0_f32..80.0, 0.5_f32..30.0, 2.0_f32..150.0);
-    (numbers, any::<bool>()).prop_map(|((azimuth, elevation, distance, angle), parallel)| {
-        let projection = if parallel { Projection::Parallel } else { Projection::Perspective };
-        from(azimuth, elevation, step(6).view(), |view| {
-            view.distance = distance;
-            view.field_of_view = angle;
-            view.projection = projection;
-        })
+    (numbers, any::<bool>()).prop_map(|(numbers, parallel)| {
+        let mut view = step(6).view();
+        (view.azimuth, view.elevation, view.distance, view.field_of_view) = numbers;
+        view.projection = View::PROJECTIONS[usize::from(parallel)].1;
+        view
     })
-}
-
-/// `view` from another side, changed otherwise too.
-fn from(azimuth: f32, elevation: f32, mut view: View, change: impl FnOnce(&mut View)) -> View {
-    (view.azimuth, view.elevation) = (azimuth, elevation);
-    change(&mut view);
-    view
 }
 
 /// How far `point` is from `ray`, as a part of how far it is along it.
@@ -60,6 +47,13 @@ fn ends(mark: &Mark) -> Vec<Vec3> {
 fn shapes(explanation: &Explanation, symbol: &str) -> Vec<MarkShape> {
     let marks = marks(explanation, 1.0).into_iter();
     marks.filter(|mark| mark.symbol == symbol).map(|mark| mark.shape).collect()
+}
+
+/// What is drawn in [`AREA`] over nothing.
+fn over_black(sight: Sight<'_>, told: Option<&Explanation>, handles: &[Handle]) -> RgbImage {
+    let mut drawn = RgbImage::new(480, 270);
+    draw_vectors(&mut Canvas::new(&mut drawn), sight, told, handles, 0.0);
+    drawn
 }
 
 proptest! {
@@ -116,8 +110,7 @@ proptest! {
         let camera = view.camera(ASPECT);
         let sight = Sight { step: &*step, camera: &*camera, area: AREA };
         let explanation = step.explain(&*camera, pixel(u, v, SIZE));
-        let mut drawn = RgbImage::new(480, 270);
-        draw_vectors(&mut Canvas::new(&mut drawn), sight, Some(&explanation), &[], 0.0);
+        let drawn = over_black(sight, Some(&explanation), &[]);
         // The last, because others may be under it; the points are smaller than an arrow.
         let mut marks = marks(&explanation, 1.0).into_iter().rev();
         let arrow = marks.find(|mark| matches!(mark.shape, MarkShape::Arrow(..)));
@@ -137,10 +130,10 @@ proptest! {
         let found = drawn.get_pixel(x as u32, y as u32).0;
         // What is hidden lets through what is under it.
         let hidden = sight.is_hidden(from + length * (direction - from));
-        let (least, most) = if hidden { (150, 105) } else { (255, 0) };
-        let near = found.iter().zip(ink.rgb).all(|(found, code)| {
-            let least = i32::from(code) * least / 255;
-            (least - 40..=least + most + 40).contains(&i32::from(*found))
+        let (part, most) = if hidden { (150, 105) } else { (255, 0) };
+        let near = found.into_iter().zip(ink.rgb).all(|(found, code)| {
+            let least = i32::from(code) * part / 255;
+            (least - 40..=least + most + 40).contains(&found.into())
         });
         prop_assert!(near, "{symbol}: {found:?} at {x}, {y}");
     }
@@ -240,7 +233,8 @@ fn a_normal_is_drawn_once() {
 fn all_hits_along_the_ray_are_there_and_the_closest_is_the_point() {
     let step = step(3);
     // Through the blue sphere, which comes after the red one, from the side of the former.
-    let view = from(40.0, 0.5, step.view(), |_| {});
+    let mut view = step.view();
+    (view.azimuth, view.elevation) = (40.0, 0.5);
     let camera = view.camera(ASPECT);
     let found = (0..480).any(|col| {
         let explanation = step.explain(&*camera, Pixel { col, row: 150, width: 480, height: 270 });
@@ -306,53 +300,45 @@ fn symbols_differ_in_color_for_all_eyes() {
     for symbols in [&["n", "l", "v", "h", "shadow ray's d", "d", "point"][..], &["α", "β", "γ"]]
     {
         for eyes in seen {
-            let colors: Vec<[f64; 3]> = symbols
-                .iter()
-                .map(|symbol| {
-                    let rgb = symbol_ink(symbol).expect("a colour").rgb.map(linear);
-                    eyes.map(|row| {
-                        let light: f64 = row.iter().zip(rgb).map(|(a, b)| a * b).sum();
-                        255.0 * light.clamp(0.0, 1.0).powf(1.0 / 2.2)
-                    })
+            let color = |symbol: &str| {
+                let rgb = symbol_ink(symbol).expect("a colour").rgb.map(linear);
+                eyes.map(|row| {
+                    let light: f64 = row.iter().zip(rgb).map(|(a, b)| a * b).sum();
+                    255.0 * light.clamp(0.0, 1.0).powf(1.0 / 2.2)
                 })
-                .collect();
-            for (place, color) in colors.iter().enumerate() {
-                for (other, symbol) in colors[..place].iter().zip(symbols) {
-                    let far: f64 = color.iter().zip(other).map(|(a, b)| (a - b).powi(2)).sum();
-                    assert!(far.sqrt() > 40.0, "{} and {symbol}: {far}", symbols[place]);
+            };
+            for (place, symbol) in symbols.iter().enumerate() {
+                for other in &symbols[..place] {
+                    let parts = color(symbol).into_iter().zip(color(other));
+                    let far: f64 = parts.map(|(a, b)| (a - b).powi(2)).sum();
+                    assert!(far.sqrt() > 40.0, "{symbol} and {other}: {far}");
                 }
             }
         }
     }
     assert_eq!(symbol_ink("k_d"), None);
-    assert_eq!(symbol_ink("n"), symbol_ink("normal"));
-    assert_eq!(symbol_ink("h"), symbol_ink("v_r"));
+    assert_eq!(["n", "h"].map(symbol_ink), ["normal", "v_r"].map(symbol_ink));
 }
 
-/// Draws both on a picture with a margin, and holds that the margin stays as it was.
-fn stays_inside(
-    step: &dyn Step, view: &View, onlooker: &View, explanation: Option<&Explanation>,
-    handles: &[Handle], area: Area,
+/// Draws what is seen from the camera of `view`, or that from outside.
+fn draw_over(
+    canvas: &mut Canvas<'_>, (step, view): (&dyn Step, &View), onlooker: Option<&View>,
+    told: Option<&Explanation>, handles: &[Handle], area: Area,
 ) {
-    let empty = RgbImage::from_pixel(200, 120, Rgb([77, 78, 79]));
-    let camera = view.camera(area.width / area.height);
-    for outside in [false, true] {
-        let mut drawn = empty.clone();
-        let mut canvas = Canvas::new(&mut drawn);
-        if outside {
-            let onlooker = &*onlooker.camera(area.width / area.height);
-            Outside { step, view, onlooker, area }.draw(&mut canvas, explanation, handles, 12.0);
-        } else {
-            let sight = Sight { step, camera: &*camera, area };
-            draw_vectors(&mut canvas, sight, explanation, handles, 12.0);
-        }
-        Canvas::new(&mut drawn).fill(area, Ink::new(77, 78, 79));
-        assert!(drawn == empty, "outside of {area:?} is drawn on");
+    let camera = |view: &View| view.camera(area.width / area.height);
+    if let Some(onlooker) = onlooker {
+        let outside = Outside { step, view, onlooker: &*camera(onlooker), area };
+        outside.draw(canvas, told, handles, 11.0);
+    } else {
+        let sight = Sight { step, camera: &*camera(view), area };
+        draw_vectors(canvas, sight, told, handles, 11.0);
     }
 }
 
-/// Draws what `step` tells of some pixels, seen from everywhere.
+/// Draws what `step` tells of some pixels, seen from everywhere, on a picture whose margin stays.
 fn survives(step: &dyn Step, handles: &[Handle]) {
+    let ground = Ink::new(77, 78, 79);
+    let empty = RgbImage::from_pixel(200, 120, Rgb(ground.rgb));
     let areas = [
         Area::new(20.0, 10.0, 160.0, 90.0),
         Area::new(150.0, 10.0, 30.0, 100.0),
@@ -364,19 +350,26 @@ fn survives(step: &dyn Step, handles: &[Handle]) {
             let mut view = step.view();
             (view.projection, view.distance) = (projection, distance);
             let usual = Outside::onlooker(&view);
-            let (mut inside, mut parallel) = (usual.clone(), usual.clone());
+            let [mut inside, mut parallel, mut along] = [(); 3].map(|()| usual.clone());
             inside.distance = 0.1;
             parallel.projection = Projection::Parallel;
-            let along = from(view.azimuth, view.elevation, usual.clone(), |_| {});
+            (along.azimuth, along.elevation) = (view.azimuth, view.elevation);
             for (onlooker, area) in
                 [&usual, &inside, &along, &parallel].into_iter().zip(areas.iter().cycle())
             {
-                for (u, v) in [(0.4, 0.5), (0.5, 0.99), (0.5, 0.1)] {
-                    let camera = view.camera(area.width / area.height);
-                    let explanation = step.explain(&*camera, pixel(u, v, (160, 90)));
-                    stays_inside(step, &view, onlooker, Some(&explanation), handles, *area);
+                let camera = view.camera(area.width / area.height);
+                let told = [(0.4, 0.5), (0.5, 0.99), (0.5, 0.1)]
+                    .map(|(u, v)| Some(step.explain(&*camera, pixel(u, v, (160, 90)))));
+                for told in told.iter().chain([&None]) {
+                    for from in [None, Some(onlooker)] {
+                        let mut drawn = empty.clone();
+                        let mut canvas = Canvas::new(&mut drawn);
+                        let step = (step, &view);
+                        draw_over(&mut canvas, step, from, told.as_ref(), handles, *area);
+                        canvas.fill(*area, ground);
+                        assert!(drawn == empty, "outside of {area:?} is drawn on");
+                    }
                 }
-                stays_inside(step, &view, onlooker, None, handles, *area);
             }
         }
     }
@@ -385,8 +378,7 @@ fn survives(step: &dyn Step, handles: &[Handle]) {
 #[test]
 fn every_step_is_drawn_within_the_area_from_everywhere() {
     for index in 0..STEPS.len() {
-        let handles = setup(index).points();
-        survives(&*step(index), &handles);
+        survives(&*step(index), &setup(index).points());
     }
 }
 
@@ -399,11 +391,10 @@ fn lights_and_objects_may_be_anywhere_or_nowhere() {
         lesson.scene.lights[0].position = position;
         survives(&lesson, &[Handle { of: None, name: "light", position }]);
     }
-    let mut dark = Lesson::default();
+    let [mut dark, mut empty] = [Lesson::default(), Lesson::default()];
     dark.scene.lights.clear();
-    survives(&dark, &[]);
-    let mut empty = Lesson::default();
     empty.scene.objects.clear();
+    survives(&dark, &[]);
     survives(&empty, &[]);
     for vertices in [[Vec3::ONE; 3], [Vec3::ZERO, Vec3::X, Vec3::X]] {
         survives(&lecture::step03_triangle::Lesson { vertices, shown: Vec3::ONE }, &[]);
@@ -417,9 +408,8 @@ fn a_pixel_of_the_background_has_its_ray_seen_end_on() {
     let seen = pixel(0.5, 0.95, SIZE);
     let explanation = step.explain(&*camera, seen);
     assert_eq!(marks(&explanation, 1.0), []);
-    let mut drawn = RgbImage::new(480, 270);
     let sight = Sight { step: &*step, camera: &*camera, area: AREA };
-    draw_vectors(&mut Canvas::new(&mut drawn), sight, Some(&explanation), &[], 0.0);
+    let drawn = over_black(sight, Some(&explanation), &[]);
     let ink = symbol_ink("d").map(|ink| ink.rgb);
     assert_eq!(Some(drawn.get_pixel(seen.col as u32, seen.row as u32).0), ink);
 }
@@ -428,14 +418,11 @@ fn a_pixel_of_the_background_has_its_ray_seen_end_on() {
 fn what_is_not_asked_for_is_not_drawn() {
     let step = step(6);
     let camera = step.view().camera(ASPECT);
-    let mut drawn = RgbImage::new(480, 270);
     let sight = Sight { step: &*step, camera: &*camera, area: AREA };
-    draw_vectors(&mut Canvas::new(&mut drawn), sight, None, &[], 12.0);
-    assert!(drawn.pixels().all(|pixel| pixel.0 == [0; 3]));
+    assert!(over_black(sight, None, &[]).pixels().all(|pixel| pixel.0 == [0; 3]));
     let position = step.view().target();
     let handle = Handle { of: Some(("light", "key light")), name: "light", position };
-    draw_vectors(&mut Canvas::new(&mut drawn), sight, None, &[handle], 12.0);
-    let lit = drawn.get_pixel(240, 135).0;
+    let lit = over_black(sight, None, &[handle]).get_pixel(240, 135).0;
     assert!(Ink::new(lit[0], lit[1], lit[2]).contrast(Ink::BLACK) > 10.0);
 }
 
@@ -448,19 +435,11 @@ fn drawn(setup: &mut Setup, pinned: (f32, f32), outside: bool) -> RgbImage {
     let mut handles = setup.points();
     handles.retain(|handle| handle.name != "center");
     let (step, view) = (setup.step(), setup.view());
-    let camera = view.camera(ASPECT);
-    let explanation = step.explain(&*camera, pixel(pinned.0, pinned.1, SIZE));
-    let onlooker = Outside::onlooker(view);
-    let seen_from = if outside { &onlooker } else { view };
-    let mut picture = picture(step, seen_from, SIZE.0, SIZE.1);
+    let told = step.explain(&*view.camera(ASPECT), pixel(pinned.0, pinned.1, SIZE));
+    let onlooker = outside.then(|| Outside::onlooker(view));
+    let mut picture = picture(step, onlooker.as_ref().unwrap_or(view), SIZE.0, SIZE.1);
     let mut canvas = Canvas::new(&mut picture);
-    if outside {
-        let outside = Outside { step, view, onlooker: &*onlooker.camera(ASPECT), area: AREA };
-        outside.draw(&mut canvas, Some(&explanation), &handles, 11.0);
-    } else {
-        let sight = Sight { step, camera: &*camera, area: AREA };
-        draw_vectors(&mut canvas, sight, Some(&explanation), &handles, 11.0);
-    }
+    draw_over(&mut canvas, (step, view), onlooker.as_ref(), Some(&told), &handles, AREA);
     picture
 }
 
