@@ -9,7 +9,6 @@ use std::path::Path;
 use std::path::PathBuf;
 use std::process::Command;
 use std::process::Output;
-use std::rc::Rc;
 
 use image::imageops;
 use rayon::iter::IntoParallelRefIterator;
@@ -311,18 +310,15 @@ fn copy_folder(from: &Path, to: &Path) {
 }
 
 /// What is said of `found` where step `index` was expected, as it starts.
-fn said_of(index: usize, found: &RgbImage) -> Vec<String> {
+fn said_of(index: usize, found: &RgbImage) -> Vec<&'static str> {
     let (width, height) = found.dimensions();
     let size = Size::new(width as usize, height as usize).expect("a size");
     let step = step(index);
     let camera = step.view().camera(size.aspect());
     let frame = Frame { step: &*step, camera: &*camera, size, samples: 1 };
     let expected = frame.render();
-    Mistake::named(&[Pair { frame, expected: &expected, found }]).iter().map(what).collect()
-}
-
-fn what(mistake: &&'static Mistake) -> String {
-    mistake.what.to_owned()
+    let named = Mistake::named(&[Pair { frame, expected: &expected, found }]);
+    named.iter().map(|mistake| mistake.what).collect()
 }
 
 /// The lecture's last picture.
@@ -343,49 +339,42 @@ fn changed(change: impl Fn(f32) -> f32) -> RgbImage {
 }
 
 #[test]
-fn a_picture_that_was_turned_or_mirrored_is_recognized() {
+fn pictures_turned_or_encoded_otherwise_are_recognized() {
     let picture = last_picture();
-    let flipped = imageops::flip_vertical(&picture);
-    assert_eq!(said_of(6, &flipped), ["The picture is upside down: v = 1 − (row + ½)/height"]);
-    let flipped = imageops::flip_horizontal(&picture);
-    assert_eq!(said_of(6, &flipped), ["The picture is mirrored: u = (col + ½)/width"]);
-    let turned = imageops::rotate180(&picture);
-    let said = said_of(6, &turned);
-    assert_eq!(said, ["The picture is turned by 180°: u grows to the right, v upwards"]);
-}
-
-#[test]
-fn wrong_encodings_are_recognized() {
-    let said = said_of(6, &changed(|linear| linear));
-    assert_eq!(said, ["The picture is not sRGB-encoded"]);
-    let said = said_of(6, &changed(f32::sqrt));
-    assert_eq!(said, ["The picture is encoded by a square root, not as sRGB"]);
-    let said = said_of(6, &changed(|linear| linear.powf(1.0 / 2.2)));
-    assert_eq!(said, ["The picture is encoded by the power 1/2.2, not as sRGB"]);
-    let mut picture = last_picture();
-    picture.pixels_mut().for_each(|pixel| pixel.0.swap(0, 2));
-    assert_eq!(said_of(6, &picture), ["Red and blue are exchanged"]);
-}
-
-#[test]
-fn a_mistake_is_named_although_some_pixels_are_off_for_another_reason() {
-    let mut picture = imageops::flip_vertical(&last_picture());
-    imageops::replace(&mut picture, &RgbImage::new(15, 12), 10, 20);
-    assert_eq!(said_of(6, &picture).len(), 1);
+    let mut swapped = picture.clone();
+    swapped.pixels_mut().for_each(|pixel| pixel.0.swap(0, 2));
+    // A mistake is named although some pixels are off for another reason.
+    let mut flipped = imageops::flip_vertical(&picture);
+    imageops::replace(&mut flipped, &RgbImage::new(15, 12), 10, 20);
+    for (found, said) in [
+        (flipped, "The picture is upside down: v = 1 − (row + ½)/height"),
+        (imageops::flip_horizontal(&picture), "The picture is mirrored: u = (col + ½)/width"),
+        (
+            imageops::rotate180(&picture),
+            "The picture is turned by 180°: u grows to the right, v upwards",
+        ),
+        (changed(|linear| linear), "The picture is not sRGB-encoded"),
+        (changed(f32::sqrt), "The picture is encoded by a square root, not as sRGB"),
+        (
+            changed(|linear| linear.powf(1.0 / 2.2)),
+            "The picture is encoded by the power 1/2.2, not as sRGB",
+        ),
+        (swapped, "Red and blue are exchanged"),
+    ] {
+        assert_eq!(said_of(6, &found), [said]);
+    }
 }
 
 #[test]
 fn nothing_is_said_of_what_no_mistake_explains() {
-    let mut picture = last_picture();
-    picture.pixels_mut().skip(9000).take(5000).for_each(|pixel| pixel.0[0] ^= 8);
-    assert_eq!(said_of(6, &picture), Vec::<String>::new());
-    assert_eq!(said_of(6, &last_picture()), Vec::<String>::new());
-    assert_eq!(said_of(6, &picture_of_noise()), Vec::<String>::new());
-}
-
-fn picture_of_noise() -> RgbImage {
+    let mut striped = last_picture();
+    striped.pixels_mut().skip(9000).take(5000).for_each(|pixel| pixel.0[0] ^= 8);
     let mut chance = fastrand::Rng::with_seed(16);
-    RgbImage::from_fn(240, 135, |_, _| Rgb([chance.u8(..), chance.u8(..), chance.u8(..)]))
+    let mut noise = last_picture();
+    noise.iter_mut().for_each(|code| *code = chance.u8(..));
+    for found in [striped, last_picture(), noise] {
+        assert_eq!(said_of(6, &found), Vec::<&str>::new());
+    }
 }
 
 #[test]
@@ -397,44 +386,35 @@ fn each_mistake_is_told_from_all_others() {
     for (index, name) in STEPS.iter().enumerate() {
         let size = Size::new(32, 18).expect("a size");
         let setups = views.map(|view| {
-            let mut setup = Setup::new(Rc::new(move || step(index)));
+            let mut setup = setup(index);
             if let Some((control, value)) = view.split_once('=') {
                 // Only some steps have a centre.
                 let _ = setup.set(control, value);
             }
             setup
         });
-        let cameras: Vec<_> =
-            setups.iter().map(|setup| setup.view().camera(size.aspect())).collect();
-        let frames: Vec<Frame<'_>> = setups
-            .iter()
-            .zip(&cameras)
-            .map(|(setup, camera)| Frame {
-                step: setup.step(),
-                camera: &**camera,
-                size,
-                samples: 1,
-            })
-            .collect();
-        let expected: Vec<RgbImage> = frames.iter().map(Frame::render).collect();
+        let cameras = setups.each_ref().map(|setup| setup.view().camera(size.aspect()));
+        let frames = setups.iter().zip(&cameras).map(|(setup, camera)| {
+            let frame = Frame { step: setup.step(), camera: &**camera, size, samples: 1 };
+            (frame, frame.render())
+        });
+        let frames: Vec<(Frame<'_>, RgbImage)> = frames.collect();
         // In the first step that shows it is enough.
         let known = Mistake::ALL.par_iter().filter(|mistake| unnamed.contains(&mistake.what));
         let said: Vec<Vec<&str>> = known
             .map(|mistake| {
-                let found: Vec<RgbImage> = frames
-                    .iter()
-                    .map(|frame| {
-                        RgbImage::from_fn(32, 18, |col, row| Rgb(mistake.pixel(frame, col, row)))
-                    })
-                    .collect();
-                let pictures = frames.iter().zip(&expected).zip(&found);
-                let pairs: Vec<Pair<'_>> = pictures
+                let found = frames.iter().map(|(frame, _)| {
+                    RgbImage::from_fn(32, 18, |col, row| Rgb(mistake.pixel(frame, col, row)))
+                });
+                let found: Vec<RgbImage> = found.collect();
+                let pairs = frames.iter().zip(&found);
+                let pairs: Vec<Pair<'_>> = pairs
                     .map(|((frame, expected), found)| Pair { frame: *frame, expected, found })
                     .collect();
                 let named = Mistake::named(&pairs);
                 let said: Vec<&str> = named.iter().map(|named| named.what).collect();
                 let is_it = said.is_empty() || said.contains(&mistake.what);
-                assert!(is_it, "{}: {}: {said:?}", name, mistake.what);
+                assert!(is_it, "{name}: {}: {said:?}", mistake.what);
                 said
             })
             .collect();
@@ -491,10 +471,8 @@ fn right_solutions_are_accepted_and_wrong_ones_refused_by_name() {
 #[test]
 fn a_step_checks_its_own_pixel_loop() {
     let folder = tempdir().expect("a folder");
-    let checked = command("step02_sphere", folder.path())
-        .args(["--check", "step02_sphere"])
-        .output()
-        .expect("it runs");
+    let mut program = command("step02_sphere", folder.path());
+    let checked = program.args(["--check", "step02_sphere"]).output().expect("it runs");
     let text = String::from_utf8_lossy(&checked.stdout);
     assert!(text.starts_with("done: the pixel loop of step02_sphere is right in all "), "{text}");
     assert_eq!(checked.status.code(), Some(0));

@@ -142,9 +142,6 @@ fn texts_of_the_page() -> Vec<String> {
             texts.extend(texts_after.map(str::to_owned));
         }
     }
-    let source = sources(&root().join("lecture/src")).concat();
-    let asked = literals(&source).into_iter().filter(|(code, _)| code.ends_with("text!("));
-    texts.extend(asked.map(|(_, text)| text));
     texts
 }
 

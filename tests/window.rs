@@ -66,9 +66,7 @@ impl Display {
             .expect("xdotool is installed");
         output.status.success().then(|| String::from_utf8(output.stdout).expect("text"))
     }
-}
 
-impl Display {
     /// Has the server end by itself, so that it leaves neither its socket nor its lock behind.
     fn end(&self) {
         let id = self.server.borrow().id().to_string();
@@ -277,18 +275,17 @@ fn no_window() {
         (folder("empty"), Some(""), (64, 36), "no display"),
         (folder("large"), None, (16385, 2), "one is at most 16384 pixels wide and high"),
     ] {
-        let mut command = program(STEPS[4]);
-        command.current_dir(&folder).args(["--size", &format!("{width}x{height}")]);
-        command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY");
+        let mut command = command(STEPS[4], &folder);
+        command.args(["--size", &format!("{width}x{height}")]);
         let output = command.envs(display.map(|name| ("DISPLAY", name))).output();
         let output = output.expect("the step starts");
         assert!(output.status.success());
         let errors = String::from_utf8(output.stderr).expect("text");
         let name = format!("{}.png", STEPS[4]);
         assert!(errors.contains(reason) && errors.contains(&name), "{errors}");
-        let found = read_picture(&folder.join(name));
-        let step = step(4);
-        let expected = picture(&*step, &step.view(), width, height);
+        assert_eq!(files(&folder), [&*name], "nothing else is written");
+        let (found, expected) =
+            (read_picture(&folder.join(name)), picture_of(&setup(4), width, height));
         assert!(Comparison::new(&expected, &found, &[]).is_equal());
     }
 }
