@@ -378,13 +378,7 @@ pub fn assert_near<T: Near>(what: &str, found: T, expected: T, tolerance: f32, w
 /// Fails unless `found` is `expected` within [`TOLERANCE`], with the step's name and `why`.
 #[track_caller]
 pub fn near<S: Package, T: Near>(what: &str, found: T, expected: T, why: &str) {
-    within::<S, T>(what, found, expected, TOLERANCE, why);
-}
-
-/// Fails unless `found` is `expected` within `tolerance`, with the step's name and `why`.
-#[track_caller]
-pub fn within<S: Package, T: Near>(what: &str, found: T, expected: T, tolerance: f32, why: &str) {
-    assert_near(&format!("{}: {what}", S::NAME), found, expected, tolerance, why);
+    assert_near(&format!("{}: {what}", S::NAME), found, expected, TOLERANCE, why);
 }
 
 /// The hit, which must be there; fails with the step's name and `why`.

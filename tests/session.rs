@@ -31,6 +31,10 @@ fn key(session: &mut Session, key: Key) -> Vec<Effect> {
     session.handle(Event::Key(key, false))
 }
 
+fn keys(session: &mut Session, keys: &[Key]) {
+    keys.iter().for_each(|pressed| drop(key(session, *pressed)));
+}
+
 /// `session` in a [`WINDOW`].
 fn wide(mut session: Session) -> Session {
     session.handle(Event::Resize(WINDOW));
@@ -116,9 +120,7 @@ fn arrows_select_and_change() {
     assert!(!key(&mut session, Key::Right).contains(&Effect::Redraw));
     key(&mut session, Key::Down);
     assert_eq!(session.selected(), Some("camera"));
-    key(&mut session, Key::Up);
-    key(&mut session, Key::Left);
-    key(&mut session, Key::Down);
+    keys(&mut session, &[Key::Up, Key::Left, Key::Down]);
     assert_eq!(session.selected(), Some("radius"));
 }
 
@@ -149,9 +151,7 @@ fn every_control_can_be_selected() {
 fn one_control_is_reset_or_all() {
     for back in [Key::Backspace, Key::Delete] {
         let mut session = session(1);
-        key(&mut session, Key::Right);
-        key(&mut session, Key::Down);
-        key(&mut session, Key::Right);
+        keys(&mut session, &[Key::Right, Key::Down, Key::Right]);
         assert_eq!(session.setup().settings().len(), 2);
         assert!(key(&mut session, back).contains(&Effect::Redraw));
         assert_eq!(session.setup().settings().len(), 1);
@@ -398,16 +398,9 @@ fn letters_grow_and_shrink() {
 fn f1_lists_the_keys_and_f2_saves() {
     let mut session = session(6);
     let before = painted(&mut session, WINDOW);
-    key(&mut session, Key::F(1));
-    assert!(paint(&mut session, WINDOW) != before);
-    key(&mut session, Key::F(1));
-    assert!(paint(&mut session, WINDOW) == before);
     // While the picture is alone they are asked for, not left.
-    for alone in [false, true] {
-        if alone {
-            key(&mut session, Key::F(1));
-        }
-        key(&mut session, Key::Space);
+    for before_it in [&[][..], &[Key::Space], &[Key::F(1), Key::Space]] {
+        keys(&mut session, before_it);
         key(&mut session, Key::F(1));
         assert!(paint(&mut session, WINDOW) != before && session.picture_area().width < 960.0);
         key(&mut session, Key::F(1));
@@ -464,9 +457,7 @@ fn the_command_gives_the_same_picture() {
     assert_eq!(session.command(), "cargo run -p step07_specular");
     let (x, y) = middle(session.picture_area());
     drag(&mut session, (x, y), (x + 33.0, y - 7.0));
-    key(&mut session, Key::Right);
-    key(&mut session, Key::Down);
-    key(&mut session, Key::Right);
+    keys(&mut session, &[Key::Right, Key::Down, Key::Right]);
     let effects = key(&mut session, Key::Char('C'));
     let command = session.command();
     assert_eq!(printed(&effects), Some(&*format!("{command}\n")));
@@ -576,8 +567,7 @@ fn a_line_divides_the_step_before_from_this_one() {
     key(&mut session, Key::Char('D'));
     assert_eq!(session.pictures().len(), 1);
     // The first step has none before it, and a step's own WINDOW has no other.
-    key(&mut session, Key::Char('1'));
-    key(&mut session, Key::Char('D'));
+    keys(&mut session, &['1', 'D'].map(Key::Char));
     assert_eq!(session.pictures().len(), 1);
     painted(&mut session, WINDOW);
     let mut alone = crate::session(6);
@@ -630,8 +620,8 @@ fn what_a_step_tells_anew_is_marked() {
 
 #[test]
 fn no_event_hurts_in_any_window() {
-    let keys = "PVOCDX+-1237Z".chars().map(Key::Char);
-    let keys: Vec<Key> = keys
+    let letters = "PVOCDX+-1237Z".chars().map(Key::Char);
+    let keys: Vec<Key> = letters
         .chain((0..12).map(Key::F))
         .chain([Key::Up, Key::Down, Key::Left, Key::Right, Key::Home, Key::Backspace])
         .chain([Key::Space, Key::Enter, Key::Tab, Key::PageUp, Key::PageDown, Key::Escape])

@@ -40,8 +40,9 @@ fn the_highlight_is_a_power_of_the_cosine() {
             ] {
                 let expected = Color::splat(angle.to_radians().cos().powf(exponent));
                 let found = highlight(off, exponent, phong);
-                let what = format!("L_s with p = {exponent}, {off}° off the mirror direction");
-                within::<Specular, _>(&what, found, expected, tolerance, why);
+                let what =
+                    format!("step07_specular: L_s with p = {exponent}, {off}° off the mirror");
+                assert_near(&what, found, expected, tolerance, why);
             }
         }
     }
