@@ -185,7 +185,7 @@ steps!(triangles);
 macro_rules! scenes {
     (
         $step:ident, $paint:ident => $material:expr, $made:ident => $k_d:expr,
-        $scene:ident, $world:ident => $light:expr
+        $scene:ident, $world:ident => { $($light:tt)* }
     ) => {
         impl Scenes for $step::Lesson {
             type Scene = $step::scene::Scene;
@@ -204,13 +204,10 @@ macro_rules! scenes {
                     let triangle = $step::triangle::Triangle::new(*abc);
                     object($step::surface::Surface::Triangle(triangle), paint)
                 });
-                #[allow(unused_mut)]
-                let mut $scene = $step::scene::Scene {
-                    objects: spheres.chain(triangles).collect(),
-                    background: $world.background,
-                    ..$step::scene::lecture_scene()
-                };
-                $light;
+                let mut $scene = $step::scene::lecture_scene();
+                $scene.objects = spheres.chain(triangles).collect();
+                $scene.background = $world.background;
+                $($light)*
                 $scene
             }
 
@@ -252,7 +249,7 @@ macro_rules! many_lights {
     };
 }
 
-scenes!(step04_scene, paint => paint.k_d, k_d => *k_d, scene, world => ());
+scenes!(step04_scene, paint => paint.k_d, k_d => *k_d, scene, world => {});
 
 scenes!(
     step05_diffuse, paint => step05_diffuse::material::Material { k_d: paint.k_d },
