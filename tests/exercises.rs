@@ -233,15 +233,10 @@ impl Copy {
 }
 
 fn copy_folder(from: &Path, to: &Path) {
-    fs::create_dir_all(to).expect("the copy can be written");
-    for entry in fs::read_dir(from).expect("a folder") {
-        let path = entry.expect("an entry").path();
-        let copy = to.join(path.file_name().expect("a name"));
-        if path.is_dir() {
-            copy_folder(&path, &copy);
-        } else {
-            fs::copy(&path, copy).expect("the copy can be written");
-        }
+    for path in files_below(from) {
+        let copy = to.join(path.strip_prefix(from).expect("a path in it"));
+        fs::create_dir_all(copy.parent().expect("a folder")).expect("the copy can be written");
+        fs::copy(&path, copy).expect("the copy can be written");
     }
 }
 

@@ -51,16 +51,9 @@ fn literals(source: &str) -> Vec<(String, String)> {
 
 /// The Rust files in `folder` and in its folders; a step without figures has no examples.
 fn sources(folder: &Path) -> Vec<String> {
-    let mut sources = Vec::new();
-    for entry in fs::read_dir(folder).into_iter().flatten() {
-        let path = entry.expect("an entry").path();
-        if path.is_dir() {
-            sources.extend(self::sources(&path));
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
-            sources.push(fs::read_to_string(path).expect("text"));
-        }
-    }
-    sources
+    let mut files = files_below(folder);
+    files.retain(|path| path.extension().is_some_and(|extension| extension == "rs"));
+    files.into_iter().map(|path| fs::read_to_string(path).expect("text")).collect()
 }
 
 /// Whether there is a word to be translated in it: `names` stay.

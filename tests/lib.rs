@@ -186,6 +186,13 @@ pub fn files(folder: &Path) -> Vec<OsString> {
     names
 }
 
+/// All files in `folder` and in its folders; none when it is not there.
+pub fn files_below(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).into_iter().flatten();
+    let paths = entries.map(|entry| entry.expect("an entry").path());
+    paths.flat_map(|path| if path.is_dir() { files_below(&path) } else { vec![path] }).collect()
+}
+
 /// The folder `name` in `parent`, made anew and empty.
 pub fn empty_folder(parent: &Path, name: &str) -> PathBuf {
     let folder = parent.join(name);
