@@ -49,8 +49,8 @@ fn assert_failed(folder: &Path, output: &Output, beginning: &str, end: &str) {
 }
 
 /// Rendered without a program.
-fn expected(index: usize, width: usize, height: usize) -> RgbImage {
-    picture(&*step(index), &step(index).view(), width, height)
+fn expected(width: usize, height: usize) -> RgbImage {
+    picture_of(&setup(6), width, height)
 }
 
 #[test]
@@ -119,7 +119,7 @@ fn a_file_is_replaced_in_one_stroke() {
     let mut reader = File::open(folder.path().join("old.png")).expect("it is there");
     let output = run(folder.path(), &["-s", "16x9", "-o", "old.png"]);
     assert_eq!(output.status.code(), Some(0));
-    assert_eq!(read_picture(&folder.path().join("old.png")), expected(6, 16, 9));
+    assert_eq!(read_picture(&folder.path().join("old.png")), expected(16, 9));
     assert_eq!(files(folder.path()), ["old.png"]);
     // Whoever had it open still reads all of the old one: it was not written over.
     let mut text = String::new();
@@ -153,7 +153,7 @@ fn a_file_may_have_any_name() {
         assert_eq!(output.status.code(), Some(0), "{name}");
         let bytes = fs::read(folder.path().join(name)).expect("it is there");
         let found = image::load_from_memory_with_format(&bytes, ImageFormat::Png);
-        assert_eq!(found.expect("a PNG").into_rgb8(), expected(6, 16, 9), "{name}");
+        assert_eq!(found.expect("a PNG").into_rgb8(), expected(16, 9), "{name}");
         let mut there = vec![OsStr::new("old.png"), Path::new(name).file_name().expect("a name")];
         there.sort();
         there.dedup();
@@ -192,7 +192,7 @@ fn a_link_stays_a_link() {
         let output = run(folder.path(), &["-s", &format!("{width}x{height}"), "-o", "1.png"]);
         assert_eq!(output.status.code(), Some(0), "{}", only_line(&output));
         let found = read_picture(&folder.path().join("new.png"));
-        assert_eq!(found, expected(6, width, height));
+        assert_eq!(found, expected(width, height));
         assert_eq!(files(folder.path()), ["1.png", "a", "new.png", "old.png"]);
         let links = ["1.png", "a/b.png"].map(|link| folder.path().join(link).is_symlink());
         assert_eq!(links, [true, true]);
@@ -206,7 +206,7 @@ fn a_pipe_gets_the_picture_itself() {
     let output = run(folder.path(), &["-s", "16x9", "-o", "/dev/stdout"]);
     assert_eq!(output.status.code(), Some(0), "{}", only_line(&output));
     let found = image::load_from_memory_with_format(&output.stdout, ImageFormat::Png);
-    assert_eq!(found.expect("a PNG").into_rgb8(), expected(6, 16, 9));
+    assert_eq!(found.expect("a PNG").into_rgb8(), expected(16, 9));
 }
 
 #[cfg(unix)]
@@ -300,7 +300,7 @@ fn what_is_no_picture_is_refused_in_one_line() {
 #[test]
 fn another_size_is_a_difference_and_not_a_failure() {
     let folder = tempdir().expect("a folder");
-    expected(6, 16, 9).save(folder.path().join("a.png")).expect("written");
+    expected(16, 9).save(folder.path().join("a.png")).expect("written");
     let output = run(folder.path(), &["-s", "9x16", "--compare", "a.png", "-o", "both.png"]);
     assert!(only_line(&output).starts_with(STEP));
     let found = String::from_utf8_lossy(&output.stdout);

@@ -240,13 +240,6 @@ fn lights_add_up<S: Shadows>() {
 }
 
 fn only_ambient_light_is_left_in_the_dark<S: Shadows>() {
-    let mut setup = tests::setup(STEPS.iter().position(|step| *step == S::NAME).expect("a step"));
-    setup.set("lights", "0").expect("it takes none");
-    // On the floor, which has nothing of what later steps add.
-    let pixel = Pixel { col: 240, row: 420, width: 960, height: 540 };
-    let color = setup.step().explain(&*setup.view().camera(960.0 / 540.0), pixel).color;
-    let grey = 0.1 * Color::splat(0.55);
-    near::<S, _>("the colour", color, grey, "with none of the scene's lights lit L = k_a I_a");
     for ambient in [0.0, 0.5, 1.0, 4.0] {
         let found = seen::<S>(&World { ambient, ..lit(0.0, &[]) }, EYE);
         near::<S, _>("the colour", found, PAINT.k_a * ambient, "with no light L = k_a I_a");
