@@ -67,19 +67,6 @@ impl Display {
         output.status.success().then(|| String::from_utf8(output.stdout).expect("text"))
     }
 
-    /// Has the server end by itself, so that it leaves neither its socket nor its lock behind.
-    fn end(&self) {
-        let id = self.server.borrow().id().to_string();
-        let _ = Command::new("kill").arg(id).stderr(Stdio::null()).status();
-        let start = Instant::now();
-        while matches!(self.server.borrow_mut().try_wait(), Ok(None)) {
-            if start.elapsed() > Duration::from_secs(1) {
-                return self.kill();
-            }
-            thread::sleep(Duration::from_millis(5));
-        }
-    }
-
     /// Ends the server, and with it every connection, at once.
     fn kill(&self) {
         let mut server = self.server.borrow_mut();
@@ -89,8 +76,13 @@ impl Display {
 }
 
 impl Drop for Display {
+    /// Has the server end by itself, so that it leaves neither its socket nor its lock behind.
     fn drop(&mut self) {
-        self.end();
+        let server = self.server.get_mut();
+        if let Ok(None) = server.try_wait() {
+            let _ = Command::new("kill").arg(server.id().to_string()).status();
+            let _ = server.wait();
+        }
     }
 }
 
