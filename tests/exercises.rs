@@ -169,9 +169,11 @@ impl Copy {
         let root_of_copy = empty_folder(&folder, "steps");
         let packages = fs::read_to_string(root().join("Cargo.toml")).expect("the workspace");
         let steps: Vec<&str> = ["common"].into_iter().chain(STEPS).collect();
-        let (head, rest) = packages.split_once("members = [").expect("members");
-        let (_, rest) = rest.split_once(']').expect("members");
-        let packages = format!("{head}members = {steps:?}{rest}");
+        let lines = packages.lines().map(|line| match line.split_once("members = ") {
+            None => line.to_owned() + "\n",
+            Some((which, _)) => format!("{which}members = {steps:?}\n"),
+        });
+        let packages: String = lines.collect();
         fs::write(root_of_copy.join("Cargo.toml"), packages).expect("the copy can be written");
         fs::copy(root().join("Cargo.lock"), root_of_copy.join("Cargo.lock")).expect("a lock file");
         for package in steps {
