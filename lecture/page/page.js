@@ -23,7 +23,10 @@ let language = languageOfBrowser();
 /** A text in the language of the page, found by its English. */
 const text = (english) => (language === "en" ? english : PORTUGUESE[english] || english);
 
-/** What runs a command in the steps' program; also within a worker, which knows nothing else of here. */
+/**
+ * What runs a command in the steps' program; also within a worker, which knows nothing else of here.
+ * The answer stays in the program's memory, and is there until the next command.
+ */
 function runner(instance) {
   const { memory, page_input, page_run, page_output } = instance.exports;
   return (command, rgb) => {
@@ -35,7 +38,7 @@ function runner(instance) {
     place.set(bytes);
     if (rgb) place.set(rgb, bytes.length);
     const length = page_run();
-    const answer = new Uint8Array(memory.buffer, page_output(), Math.abs(length)).slice();
+    const answer = new Uint8Array(memory.buffer, page_output(), Math.abs(length));
     if (length < 0) throw new Error(new TextDecoder().decode(answer));
     return answer;
   };
@@ -47,7 +50,7 @@ function work(runner) {
     if (data.module) run = runner(new WebAssembly.Instance(data.module));
     else if (data.change) try { run(data.change); } catch { /* The page has said so. */ }
     else {
-      const rgb = run(`rows ${data.layer} ${data.width} ${data.height} ${data.first} ${data.count}`);
+      const rgb = run(`rows ${data.layer} ${data.width} ${data.height} ${data.first} ${data.count}`).slice();
       postMessage({ ...data, rgb }, [rgb.buffer]);
     }
   };
@@ -187,7 +190,8 @@ function alone() { port2.postMessage(0); }
 function put(canvas, layer, [cols, rows], { width, height, rgb }, marks) {
   const rgba = run(`show ${layer} ${cols} ${rows} ${width} ${height} ${marks}`, rgb[layer]);
   if (canvas.width !== cols || canvas.height !== rows) [canvas.width, canvas.height] = [cols, rows];
-  canvas.getContext("2d").putImageData(new ImageData(new Uint8ClampedArray(rgba.buffer), cols, rows), 0, 0);
+  const pixels = new Uint8ClampedArray(rgba.buffer, rgba.byteOffset, rgba.length);
+  canvas.getContext("2d").putImageData(new ImageData(pixels, cols, rows), 0, 0);
 }
 
 // ---- the step's picture
