@@ -8,6 +8,8 @@ const DRAGGED_MS = 22;
 const AHEAD = 2;
 /** The largest band of rows, and the smallest: the last ones, so that all workers end together. */
 const BAND_PIXELS = [36 * 960, 6 * 960];
+/** Without workers: how long the page draws before it looks whether there is something else to do. */
+const ALONE_MS = 12;
 
 const $ = (id) => document.getElementById(id);
 const STEPS = document.querySelectorAll("#steps a").length;
@@ -176,14 +178,16 @@ function pump() {
 
 const { port1, port2 } = new MessageChannel();
 port1.onmessage = () => {
-  const band = queue.shift();
-  if (!band) return;
-  const { drawing, layer, width, height, first, count } = band;
-  const rgb = run(`rows ${layer} ${width} ${height} ${first} ${count}`);
-  drawings[drawing].finished({ ...band, rgb });
+  const end = performance.now() + ALONE_MS;
+  while (queue.length && performance.now() < end) {
+    const band = queue.shift();
+    const { drawing, layer, width, height, first, count } = band;
+    const rgb = run(`rows ${layer} ${width} ${height} ${first} ${count}`);
+    drawings[drawing].finished({ ...band, rgb });
+  }
   if (queue.length) alone();
 };
-/** Without workers: a band here, then whatever else the page has to do, then the next. */
+/** Without workers: some bands here, then whatever else the page has to do, then the next. */
 function alone() { port2.postMessage(0); }
 
 /** Puts a picture on a canvas of this size, with what is drawn over it. */
