@@ -510,6 +510,8 @@ fn what_to_try_is_a_click_away() {
     let href = browser.text("return document.querySelector('#handout07-en a.try').hash");
     let changed = browser.text("return '#step07&' + state.changes.join('&')");
     assert_eq!((changed, browser.run("return pin")), (href, json!([480, 300])));
+    // What is then to be seen is said to the tests alone.
+    assert!(!fs::read_to_string(&*PAGE).expect("the page").contains("<!--"));
     quiet(&browser);
 }
 
