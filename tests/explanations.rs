@@ -82,11 +82,11 @@ fn quantity(value: impl Into<Value>, shown: bool) -> Option<Quantity> {
         Value::Pair(a, b) => [a, b, 0.0],
         Value::Vector(v) => v.to_array(),
     };
-    let texts = value.texts();
+    let texts = if shown { value.texts() } else { Vec::new() };
     let largest = numbers.iter().fold(0.0, |largest: f32, number| largest.max(number.abs()));
     let part = |axis: usize| {
         let exact = Number::exact(numbers[axis].into());
-        let Some(text) = texts.get(axis).filter(|_| shown) else { return exact };
+        let Some(text) = texts.get(axis) else { return exact };
         let digits: f64 = text.trim().parse().expect("a number");
         let bound = (digits - exact.value).abs();
         assert!(bound <= LAST_DIGIT * f64::from(largest), "{text} is not {}", exact.value);
@@ -185,8 +185,9 @@ impl<S: Package> Sheet<'_, S> {
 
     /// What was told of `name` last; if that was of a number and of a vector, as of d, what `fits`.
     fn known(&self, name: &str, fits: fn(&Told) -> bool) -> Option<&Told> {
-        let told = || self.told.iter().rev().filter(|told| told.name == name);
-        told().find(|told| fits(told)).or_else(|| told().next())
+        let mut told = self.told.iter().rev().filter(|told| told.name == name);
+        let last = told.next()?;
+        Some(if fits(last) { last } else { told.find(|told| fits(told)).unwrap_or(last) })
     }
 
     /// The value of `text`, off by its own rounding, or also by that of what it is computed from.
