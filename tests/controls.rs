@@ -129,7 +129,8 @@ fn every_control_changes_the_picture_and_no_other_does_the_same() {
                 let picture = picture(&setup);
                 assert!(
                     picture != start,
-                    "{which} from {} to {text} (it takes {takes}) leaves every pixel as it was",
+                    "{which} from {} to {text} (it takes {takes}) leaves every pixel as it was; if \
+                     another control has to be moved first, say so in FIRST of tests/controls.rs",
                     before.text
                 );
                 last = Some(picture);

@@ -353,7 +353,9 @@ fn each_mistake_is_told_from_all_others() {
             .collect();
         unnamed.retain(|what| !said.iter().any(|said| said.contains(what)));
     }
-    assert_eq!(unnamed, UNNAMED);
+    // A step to come may tell more of them.
+    unnamed.retain(|what| !UNNAMED.contains(what));
+    assert!(unnamed.is_empty(), "no step tells these from all others: {unnamed:?}");
 }
 
 /// Mistakes that what the steps show at first does not tell from others, or not at all.

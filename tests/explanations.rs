@@ -1,8 +1,10 @@
 //! What is said of a pixel is what the picture shows there, and each line follows from those before.
 //!
-//! [`Sheet`] computes every line anew from the lines above it, once from the numbers as they are
-//! and once, like who has a pocket calculator, from the digits that are shown. A line that it does
-//! not know fails, so that none is told that nobody checks.
+//! [`Sheet`] computes what stands after the = of each line from the lines above it, once from the
+//! numbers as they are and once, like who has a pocket calculator, from the digits that are shown. A
+//! symbol that it does not know fails, so that none is told that nobody checks.
+
+mod equation;
 
 use std::collections::HashMap;
 
@@ -11,8 +13,12 @@ use common::Line;
 use common::Listener;
 use common::Outcome;
 use common::Value;
+use equation::Number;
+use equation::Quantity;
+use equation::evaluate;
+use equation::split;
+use equation::tight;
 use fastrand::Rng;
-use glam::DVec3;
 use tests::prelude::*;
 
 tests::checks!(packages { what_is_told_is_what_is_drawn_and_adds_up });
@@ -21,17 +27,19 @@ const WIDTH: usize = 64;
 const HEIGHT: usize = 36;
 
 /// How many settings are tried, and how many pixels of each.
-const TRIED: (usize, usize) = (100, 10);
+const TRIED: (usize, usize) = (50, 10);
 
 /// The widest line of a terminal in class.
 const LONGEST: usize = 100;
 
-/// By which part of the largest number on its way a line may be off: a few roundings of `f32`, and
-/// one in the last of the four digits that a number with a power of ten has at least.
-const OFF: [f64; 2] = [3e-6, 1e-4];
+/// By which part of the largest number the digits shown may be off: half of the last of five.
+const LAST_DIGIT: f64 = 5.1e-5;
+
+/// What is too small for f32.
+const SMALLEST: f64 = 1e-30;
 
 /// The floor's and the pyramid's triangles, in the order of the scene.
-const TRIANGLES: [[[f64; 3]; 3]; 6] = [
+const TRIANGLES: [[[f32; 3]; 3]; 6] = [
     [[-20.0, 0.0, -20.0], [20.0, 0.0, 20.0], [20.0, 0.0, -20.0]],
     [[-20.0, 0.0, -20.0], [-20.0, 0.0, 20.0], [20.0, 0.0, 20.0]],
     [[0.7, 0.0, -0.1], [2.5, 0.0, 0.3], [1.7, 1.9, -0.9]],
@@ -40,16 +48,16 @@ const TRIANGLES: [[[f64; 3]; 3]; 6] = [
     [[1.1, 0.0, -1.9], [0.7, 0.0, -0.1], [1.7, 1.9, -0.9]],
 ];
 
-/// A step with controls moved by chance, and where they stand: by object and name.
+/// A step with controls moved by chance, and where they stand, by name: of which object what.
 struct Moved<S> {
     step: S,
     view: View,
-    values: HashMap<(&'static str, String), String>,
+    values: HashMap<String, Vec<(&'static str, String)>>,
 }
 
 impl<S: Package> Moved<S> {
     fn new(rng: &mut Rng) -> Self {
-        let (mut step, mut values) = (S::default(), HashMap::new());
+        let (mut step, mut values) = (S::default(), HashMap::<_, Vec<_>>::new());
         let mut view = step.view();
         for controls in [step.controls(), view.controls()] {
             for mut control in controls {
@@ -57,266 +65,270 @@ impl<S: Package> Moved<S> {
                     control.set_fraction(rng.f32());
                 }
                 let of = control.of.map_or("", |(_, which)| which);
-                values.insert((of, control.name.clone()), control.exact());
+                let name = control.axis.map_or(control.name.as_str(), |(point, _)| point);
+                values.entry(name.to_owned()).or_default().push((of, control.exact()));
             }
         }
         Self { step, view, values }
     }
-
-    fn word(&self, of: &'static str, name: &str) -> Option<&str> {
-        self.values.get(&(of, name.to_owned())).map(String::as_str)
-    }
-
-    fn number(&self, of: &'static str, name: &str) -> Option<f64> {
-        self.word(of, name)?.parse().ok()
-    }
-
-    fn point(&self, of: &'static str, name: &str) -> Option<DVec3> {
-        let [x, y, z] = ["x", "y", "z"].map(|axis| self.number(of, &format!("{name}.{axis}")));
-        Some(DVec3::new(x?, y?, z?))
-    }
-
-    /// The sphere called `of`; step 02 has one without a name.
-    fn sphere(&self, of: &'static str) -> Option<(DVec3, f64)> {
-        Some((self.point(of, "center")?, self.number(of, "radius")?))
-    }
-
-    /// The shape that is `place`th in the scene: a sphere or a triangle.
-    fn triangle(&self, place: usize) -> Option<[DVec3; 3]> {
-        let moved = || Some([self.point("", "a")?, self.point("", "b")?, self.point("", "c")?]);
-        // The scene begins with three spheres.
-        moved().or_else(|| Some(TRIANGLES[place.checked_sub(3)?].map(DVec3::from)))
-    }
 }
 
-/// The numbers told so far, and what the next one should be.
-struct Sheet<'a, S> {
-    moved: &'a Moved<S>,
-    shown: bool,
-    told: HashMap<&'static str, DVec3>,
-    /// The record of the closest hit, and the name of the object.
-    closest: Option<(f64, DVec3, DVec3, &'static str)>,
-}
-
-/// The value's numbers: all that they are, or the digits `shown`.
-fn numbers(value: Value, shown: bool) -> Option<DVec3> {
-    let exact = match value {
-        Value::Word(_) => return None,
-        Value::Number(number) => DVec3::splat(f64::from(number)),
-        Value::Pair(a, b) => DVec3::new(f64::from(a), f64::from(b), 0.0),
-        Value::Vector(v) => v.as_dvec3(),
-        Value::Share(parts) => DVec3::from(parts.map(|part| part as f64 / 1e6)),
+/// The value's numbers: as they are, or the digits `shown` and how far these are off.
+fn quantity(value: impl Into<Value>, shown: bool) -> Option<Quantity> {
+    let value = value.into();
+    let numbers = match value {
+        Value::Word(_) | Value::Share(_) => return None,
+        Value::Number(number) => [number; 3],
+        Value::Pair(a, b) => [a, b, 0.0],
+        Value::Vector(v) => v.to_array(),
     };
-    if !shown {
-        return Some(exact);
-    }
-    let texts = value.texts();
-    let number = |index: usize| -> f64 {
-        texts.get(index).map_or(0.0, |text| text.trim().parse().expect("a number"))
+    let texts = if shown { value.texts() } else { Vec::new() };
+    let largest = numbers.iter().fold(0.0, |largest: f32, number| largest.max(number.abs()));
+    let part = |axis: usize| {
+        let exact = Number::exact(numbers[axis].into());
+        let Some(text) = texts.get(axis) else { return exact };
+        let digits: f64 = text.trim().parse().expect("a number");
+        let bound = (digits - exact.value).abs();
+        assert!(bound <= LAST_DIGIT * f64::from(largest), "{text} is not {}", exact.value);
+        Number { value: digits, bound }
     };
     Some(match value {
-        Value::Number(_) => DVec3::splat(number(0)),
-        _ => DVec3::new(number(0), number(1), number(2)),
+        Value::Number(_) => Quantity::Number(part(0)),
+        _ => Quantity::Vector([0, 1, 2].map(part)),
     })
 }
 
-fn determinant(a: DVec3, b: DVec3, c: DVec3) -> f64 {
-    a.cross(b).dot(c)
+/// The value of a symbol, or of a side of an equation.
+struct Told {
+    name: String,
+    value: Quantity,
+    /// The same, off by what rounding may have done since the values that were told before.
+    rounded: Quantity,
+}
+
+/// What was told before a line of the group.
+struct Sheet<'a, S> {
+    moved: &'a Moved<S>,
+    explanation: &'a Explanation,
+    shown: bool,
+    told: Vec<Told>,
+    /// The t, point and normal of the closest hit, and the name of the object.
+    closest: Option<([Quantity; 3], &'static str)>,
+    group: &'a Group,
+    /// The object that the group is about, or that its light falls on.
+    object: &'static str,
 }
 
 impl<S: Package> Sheet<'_, S> {
-    fn vector(&self, symbol: &str) -> DVec3 {
-        *self.told.get(symbol).unwrap_or_else(|| panic!("{}: '{symbol}' was not told", S::NAME))
+    fn tell(&mut self, symbol: &str, value: Quantity) {
+        self.told.push(Told { name: tight(symbol), value, rounded: value });
     }
 
-    fn number(&self, symbol: &str) -> f64 {
-        self.vector(symbol).x
+    /// What the controls called `name` stand at: a number, a word, or the three numbers of a point.
+    fn controls(&self, name: &str) -> Vec<&str> {
+        let Some(values) = self.moved.values.get(name) else { return Vec::new() };
+        // Step 05 does not name its light.
+        let owners = [self.group.name, self.object, "", "key light"];
+        let owner = owners.into_iter().find(|owner| values.iter().any(|(of, _)| of == owner));
+        let owned = values.iter().filter(|(of, _)| Some(*of) == owner);
+        owned.map(|(_, value)| value.as_str()).collect()
     }
 
-    /// What a control stands at; 1 in a step without it.
-    fn control(&self, of: &'static str, name: &str) -> f64 {
-        self.moved.number(of, name).unwrap_or(1.0)
+    /// What `symbol` is in the scene: where its control stands, else as in the lecture.
+    fn scene(&self, symbol: &str) -> Option<Quantity> {
+        let controls = self.controls(symbol);
+        let numbers: Vec<f32> = controls.iter().flat_map(|text| text.parse()).collect();
+        let control = match numbers[..] {
+            [number] => quantity(number, false),
+            [x, y, z] => quantity(Vec3::new(x, y, z), false),
+            _ => None,
+        };
+        if !["background", "color", "k_a", "k_d", "k_s", "p"].contains(&symbol) {
+            return control;
+        }
+        let scene = lecture::step07_specular::scene::lecture_scene();
+        let object = scene.objects.iter().find(|object| object.name == self.object);
+        let color = match symbol {
+            "background" => scene.background,
+            "k_a" => object?.material.k_a,
+            "k_s" => return control.or(quantity(object?.material.k_s, false)),
+            "p" => return control.or(quantity(object?.material.exponent, false)),
+            _ => object?.material.k_d,
+        };
+        // Its control moves how bright a colour is.
+        let brightness = numbers.first().map_or(1.0, |number| number / color.max_element());
+        let brightness = quantity(brightness, false)?;
+        Some(Quantity::of(Number::times, quantity(color, false)?, brightness))
     }
 
-    /// What `line`, told in a `group` about the `place`th object, should say, and the largest
-    /// number on the way to it.
-    fn expected(&self, line: &Line, group: &Group, place: usize) -> (DVec3, f64) {
-        let (v, x) = (|symbol: &str| self.vector(symbol), |symbol: &str| self.number(symbol));
-        let one = |value: f64, scale: f64| (DVec3::splat(value), scale.abs());
-        let all = |value: DVec3, scale: f64| (value, scale.abs());
-        let of = group.name;
-        let sphere = || self.moved.sphere(of).expect("a sphere has a centre and a radius");
-        let abc = || self.moved.triangle(place).expect("a triangle has vertices");
-        let light = || {
-            let known = self.moved.point(of, "light");
-            known.or_else(|| self.moved.point("key light", "light")).expect("a light has a place")
+    /// How a symbol that is told alone follows from what was told before.
+    fn law(&self, symbol: &str) -> Option<&'static str> {
+        let is_positive = |value: Quantity| value.parts()[0].value > 0.0;
+        let positive = |text| self.evaluate(text, false).is_ok_and(is_positive);
+        Some(match symbol {
+            "t" if positive("t₁") => "t₁",
+            "t" => "t₂",
+            "normal" if self.scene("radius").is_some() => "(point−center)/‖point−center‖",
+            "normal" => "((b−a)×(c−a))/‖(b−a)×(c−a)‖",
+            "n" if positive("normal·d") => "−normal",
+            "n" => "normal",
+            "v" => "−d/‖d‖",
+            "shadow ray's d" => "light−point",
+            "V" if blocker(self.group).is_some() => "0",
+            "V" => "1",
+            "l" => "(light−point)/‖light−point‖",
+            "r²" => "(light−point)·(light−point)",
+            "I/r²" if self.controls("attenuation") == ["off"] => "I",
+            _ => return None,
+        })
+    }
+
+    /// What was told of `name` last; if that was of a number and of a vector, as of d, what `fits`.
+    fn known(&self, name: &str, fits: fn(&Told) -> bool) -> Option<&Told> {
+        let mut told = self.told.iter().rev().filter(|told| told.name == name);
+        let last = told.next()?;
+        Some(if fits(last) { last } else { told.find(|told| fits(told)).unwrap_or(last) })
+    }
+
+    /// The value of `text`, off by its own rounding, or also by that of what it is computed from.
+    fn evaluate(&self, text: &str, rounded: bool) -> Result<Quantity, String> {
+        let known = |part: &str, fits| {
+            let told = self.known(part, fits);
+            let told = told.map(|told| if rounded { told.rounded } else { told.value });
+            let law = || self.evaluate(self.law(part)?, rounded).ok();
+            // Light that nothing is told of is none.
+            let dark = || part.starts_with("L_").then_some(Quantity::Number(Number::exact(0.0)));
+            told.or_else(law).or_else(dark).or_else(|| self.scene(part))
         };
-        let (p, d) = (self.told.get("p").copied().unwrap_or_default(), self.told.get("d"));
-        let d = d.copied().unwrap_or_default();
-        let root = |sign: f64| {
-            let part = (-x("b") + sign * x("√(b² − a c)")) / x("a");
-            one(x("t₀") + part, x("t₀").abs() + part.abs())
+        let vector = |told: &Told| matches!(told.value, Quantity::Vector(_));
+        let latest = evaluate(text, &|part| known(part, |_| true));
+        latest.or_else(|why| evaluate(text, &|part| known(part, vector)).map_err(|_| why))
+    }
+
+    /// Whether nobody here knows what `symbol` should be: it is the light along a ray that was told,
+    /// or only other objects have a control for it.
+    fn is_given(&self, symbol: &str) -> bool {
+        let told = |name| self.known(name, |_| true).is_some();
+        let fixed = self.moved.values.contains_key(symbol) && self.scene(symbol).is_none();
+        !told(symbol) && (fixed || symbol.strip_prefix("L_").is_some_and(told))
+    }
+
+    /// Holds what was `found` in `line` to what `law` makes it.
+    fn hold(&self, line: &Line, found: Quantity, law: Result<Quantity, String>) -> Quantity {
+        let fail = |why: &str| -> ! {
+            let (step, equation, group) = (S::NAME, line.equation, self.group.name);
+            let by = if self.shown { "digits" } else { "numbers" };
+            panic!(
+                "{step}: '{equation}' of '{group}': {why}, by the {by} above it:\n{}",
+                self.explanation
+            )
         };
-        let material = || {
-            let scene = lecture::step07_specular::scene::lecture_scene();
-            let name = self.closest.expect("a hit").3;
-            scene.objects.into_iter().find(|object| object.name == name).expect("one").material
-        };
-        let hit = || self.closest.map_or("", |hit| hit.3);
-        let brightness = |color: Color, name: &str| {
-            let largest = f64::from(color.max_element());
-            let color = color.as_dvec3() / largest;
-            all(color * self.moved.number(hit(), name).unwrap_or(largest), 1.0)
-        };
-        match line.equation {
-            "L = ½ + d/2" => all(0.5 + d / 2.0, 1.0),
-            "L = ½ + p/6" => all(0.5 + p / 6.0, 1.0 + p.length()),
-            "a = d·d" => one(d.dot(d), 1.0),
-            "b₀ = d·(p − center)" => {
-                let o = p - sphere().0;
-                one(d.dot(o), o.length() + p.length())
+        let law = law.unwrap_or_else(|why| fail(&why));
+        if matches!(found, Quantity::Number(_)) != matches!(law, Quantity::Number(_)) {
+            fail("one side is a number, the other one a vector");
+        }
+        for (found, law) in found.parts().into_iter().zip(law.parts()) {
+            let allowed = found.bound + law.bound + SMALLEST;
+            let off = (found.value - law.value).abs();
+            if off.is_nan() || off > allowed {
+                fail(&format!("{} should be {}, within {allowed:.1e}", found.value, law.value));
             }
-            "t₀ = −b₀ / a" => one(-x("b₀") / x("a"), x("b₀") / x("a")),
-            "o = p + t₀ d − center" => {
-                let center = sphere().0;
-                all(p + x("t₀") * d - center, p.length() + x("t₀").abs() + center.length())
+        }
+        law
+    }
+
+    /// Computes what `line` tells from what was told before, and then takes it as told.
+    fn check_line(&mut self, line: &Line) {
+        let Some(value) = quantity(line.value, self.shown) else { return };
+        let sides: Vec<String> = line.equation.split(" = ").map(tight).collect();
+        if split(&sides[0], &[',']).is_some() {
+            for (name, part) in sides[0].split(',').zip(value.parts()) {
+                let name = name.rsplit(' ').next().unwrap_or(name);
+                // A weight's control has the name of what it weighs.
+                let law = self.scene(name).or_else(|| self.scene(&format!("L_{name}")));
+                let part = Quantity::Number(part);
+                self.hold(line, part, law.ok_or_else(|| format!("'{name}' is not known")));
+                self.tell(name, part);
             }
-            // Nearly nothing: at t₀ the ray is at right angles to o.
-            "b = d·o = b₀ + a t₀" => one(d.dot(v("o")), x("b₀").abs() + v("o").length()),
-            "c = o·o − radius²" => {
-                let squares = [v("o").dot(v("o")), sphere().1.powi(2)];
-                one(squares[0] - squares[1], squares[0] + squares[1])
+            return;
+        }
+        let right = &sides[usize::from(sides.len() > 1)..];
+        let mut rounded = value;
+        if let Some((law, others)) = right.split_last().filter(|(law, _)| !self.is_given(law)) {
+            let computed = self.hold(line, value, self.evaluate(law, false));
+            let widened = |x: Number, y: Number| Number { bound: x.bound + y.bound, ..x };
+            rounded = Quantity::of(widened, value, computed);
+            for other in others {
+                let computed = self.evaluate(law, true).expect("it was computed before");
+                self.hold(line, computed, self.evaluate(other, true));
             }
-            "discriminant = b² − a c" => {
-                one(x("b") * x("b") - x("a") * x("c"), x("b").powi(2) + x("c").abs())
-            }
-            "√(b² − a c)" => one(x("discriminant").sqrt(), x("discriminant").sqrt()),
-            "t₁ = t₀ + (−b − √(b² − a c)) / a" => root(-1.0),
-            "t₂ = t₀ + (−b + √(b² − a c)) / a" => root(1.0),
-            "a − p" => all(abc()[0] - p, abc()[0].length() + p.length()),
-            "D = |a−b a−c d|" => {
-                let [a, b, c] = abc();
-                one(determinant(a - b, a - c, d), (a - b).length() * (a - c).length())
-            }
-            "D_t = |a−b a−c a−p|" => {
-                let ([a, b, c], to) = (abc(), v("a − p"));
-                let scale = (a - b).length() * (a - c).length() * to.length();
-                one(determinant(a - b, a - c, to), scale)
-            }
-            "t = D_t / D" => one(x("D_t") / x("D"), x("D_t") / x("D")),
-            "D_β = |a−p a−c d|" => {
-                let [a, _, c] = abc();
-                let to = v("a − p");
-                one(determinant(to, a - c, d), to.length() * (a - c).length())
-            }
-            "D_γ = |a−b a−p d|" => {
-                let [a, b, _] = abc();
-                let to = v("a − p");
-                one(determinant(a - b, to, d), to.length() * (a - b).length())
-            }
-            "β = D_β / D" => one(x("D_β") / x("D"), x("D_β") / x("D")),
-            "γ = D_γ / D" => one(x("D_γ") / x("D"), x("D_γ") / x("D")),
-            "α = 1 − β − γ" => one(1.0 - x("β") - x("γ"), 1.0 + x("β").abs() + x("γ").abs()),
-            "point = p + t d" => all(p + self.t() * d, p.length() + self.t()),
-            "normal" => match self.moved.sphere(of) {
-                Some((center, radius)) => {
-                    all((v("point") - center) / radius, (center.length() + 10.0) / radius)
+        }
+        self.told.extend(sides.into_iter().map(|name| Told { name, value, rounded }));
+    }
+
+    /// Computes all lines anew.
+    fn check(&mut self) {
+        // What is told of no single object or light holds for all.
+        let mut shared = self.told.len();
+        for section in &self.explanation.sections {
+            let is_lit = section.name != "intersection";
+            for (place, group) in section.groups.iter().enumerate() {
+                self.told.truncate(shared);
+                self.group = group;
+                self.object = group.name;
+                if let Some(([_, point, normal], seen)) = self.closest.filter(|_| is_lit) {
+                    self.object = seen;
+                    self.tell("point", point);
+                    self.tell("normal", normal);
                 }
-                None => {
-                    let [a, b, c] = abc();
-                    let normal = (b - a).cross(c - a);
-                    // With hardly an area the last bits of the vertices decide.
-                    let width = normal.length() / (b - a).length() / (c - a).length();
-                    all(normal.normalize(), 10.0 / width)
+                // The scene begins with three spheres.
+                let triangle = place.checked_sub(4).and_then(|place| TRIANGLES.get(place));
+                let vertices = triangle.filter(|_| !is_lit).into_iter().flatten();
+                for (name, vertex) in ["a", "b", "c"].into_iter().zip(vertices) {
+                    self.tell(name, quantity(Vec3::from(*vertex), false).expect("numbers"));
                 }
-            },
-            "t_max = t" => one(self.t(), self.t()),
-            "color" => brightness(material().k_d, "k_d"),
-            "background" => all(DVec3::new(0.03, 0.05, 0.09), 0.1),
-            "k_d" => brightness(material().k_d, "k_d"),
-            "k_a" => brightness(material().k_a, "k_a"),
-            "I_a" => one(self.control("", "I_a"), 1.0),
-            "weights a, d, s" => {
-                all(DVec3::from(["L_a", "L_d", "L_s"].map(|name| self.control("", name))), 1.0)
+                group.lines.iter().for_each(|line| self.check_line(line));
+                self.check_outcome();
+                if group.name.is_empty() {
+                    shared = self.told.len();
+                }
             }
-            "L_a = k_a I_a" => all(v("k_a") * v("I_a"), 1e-3 + x("I_a")),
-            "a L_a = a k_a I_a" => all(x("weights a, d, s") * v("k_a") * v("I_a"), 1e-3 + x("I_a")),
-            "shadow ray's d" => all(light() - v("point"), light().length() + v("point").length()),
-            "V" => one(f64::from(u8::from(blocker(group).is_none())), 1.0),
-            "n" => {
-                let normal = v("normal");
-                all(if normal.dot(d) > 0.0 { -normal } else { normal }, 1.0)
-            }
-            "l" => {
-                let to = light() - v("point");
-                all(to.normalize(), 1.0 + (light().length() + v("point").length()) / to.length())
-            }
-            "n·l" => one(v("n").dot(v("l")), 1.0),
-            "r²" => {
-                let to = light() - v("point");
-                one(to.length_squared(), to.length() * (light().length() + v("point").length()))
-            }
-            "I" => {
-                let of = if self.moved.number(of, "I").is_some() { of } else { "key light" };
-                one(self.control(of, "I"), self.control(of, "I"))
-            }
-            "I/r²" => {
-                let of = if self.moved.number(of, "I").is_some() { of } else { "key light" };
-                let attenuation = self.moved.word(of, "attenuation") == Some("on");
-                let r_squared = if attenuation { x("r²") } else { 1.0 };
-                one(x("I") / r_squared, x("I") / r_squared)
-            }
-            "L_d = k_d (I/r²) max(0, n·l)" => {
-                all(v("k_d") * x("I/r²") * x("n·l").max(0.0), x("I/r²") * x("n·l").max(0.0))
-            }
-            "v" => all(-d.normalize(), 1.0),
-            "h = (v + l) / ‖v + l‖" => {
-                let sum = v("v") + v("l");
-                all(sum.normalize(), 1.0 + 1.0 / sum.length())
-            }
-            "cos α = n·h" => one(v("n").dot(v("h")), 1.0),
-            "v_r = 2 (n·l) n − l" => all(2.0 * x("n·l") * v("n") - v("l"), 2.0),
-            "cos α = v_r·v" => one(v("v_r").dot(v("v")), 1.0),
-            "k_s, p" => {
-                let material = material();
-                let number =
-                    |name, start| self.moved.number(hit(), name).unwrap_or(f64::from(start));
-                let (k_s, p) = (number("k_s", material.k_s), number("p", material.exponent));
-                all(DVec3::new(k_s, p, 0.0), p.max(1.0))
-            }
-            "max(0, cos α)^p" => {
-                let (k_s, p) = (v("k_s, p").x, v("k_s, p").y);
-                assert!(k_s > 0.0 && x("n·l") > 0.0, "there is no highlight");
-                let cosine = x("cos α").max(0.0);
-                one(cosine.powf(p), (1.0 + p) * cosine.powf(p))
-            }
-            "L_s = k_s (I/r²) max(0, cos α)^p" => {
-                let product = v("k_s, p").x * x("I/r²") * x("max(0, cos α)^p");
-                one(product, product)
-            }
-            "L_d" => all(v("L_d"), v("L_d").length()),
-            "d L_d + s L_s" => {
-                let weights = v("weights a, d, s");
-                // No highlight is told of where there is none.
-                let shines = v("k_s, p").x > 0.0 && x("n·l") > 0.0;
-                let l_s = if shines { v("L_s") } else { DVec3::ZERO };
-                let sum = weights.y * v("L_d") + weights.z * l_s;
-                // The weights are shown with the decimals of the largest.
-                all(sum, v("L_d").length() + l_s.length())
-            }
-            other => panic!(
-                "{}: nobody computes '{other}' anew: write its law into `expected` of \
-                 tests/explanations.rs, from the lines told before it",
-                S::NAME
-            ),
         }
     }
 
-    /// The t that the group's hit should have: the first one in front, as far as it was told.
-    fn t(&self) -> f64 {
-        let ts = ["t", "t₁", "t₂"].into_iter().filter_map(|symbol| self.told.get(symbol));
-        let in_front = ts.map(|t| t.x).filter(|t| *t > 0.0);
-        in_front.fold(f64::INFINITY, f64::min)
+    /// A hit is the closest as yet, and what is missed is missed for the reason given.
+    fn check_outcome(&mut self) {
+        let told = |symbol: &str| self.known(&tight(symbol), |_| true).map(|told| told.value);
+        let number = |symbol: &str| told(symbol).map(|value| value.parts()[0].value);
+        let t_max = self.closest.map_or(f64::INFINITY, |(hit, _)| hit[0].parts()[0].value);
+        let group = self.group;
+        let is_so = match group.outcome {
+            Outcome::Missed("no t in range", "t_min < t < t_max") => {
+                let mut ts = ["t", "t₁", "t₂"].into_iter().filter_map(number);
+                ts.all(|t| !(0.0 < t && t < t_max))
+            }
+            Outcome::Missed(_, condition) => {
+                let negative = condition.strip_suffix(" < 0").and_then(number);
+                negative.is_some_and(|number| number < 0.0)
+            }
+            Outcome::Closest(_) | Outcome::Farther(_) => {
+                let hit = ["t_max", "point", "normal"].map(|symbol| told(symbol).expect("a hit"));
+                self.closest = Some((hit, group.name));
+                hit[0].parts()[0].value < t_max
+            }
+            // A light behind the surface adds nothing.
+            Outcome::Told => {
+                let light = group.lines.last().map(|line| line.value);
+                light == Some(Color::ZERO.into()) || number("n·l").is_none_or(|cosine| cosine > 0.0)
+            }
+        };
+        // Of digits, zero may be shown for what is just below it.
+        let (step, outcome, name) = (S::NAME, group.outcome, group.name);
+        assert!(
+            is_so || self.shown,
+            "{step}: {outcome:?} of '{name}' is not so:\n{}",
+            self.explanation
+        );
     }
 }
 
@@ -328,93 +340,11 @@ fn blocker(group: &Group) -> Option<&'static str> {
     })
 }
 
-impl<S: Package> Sheet<'_, S> {
-    /// Computes all lines of `explanation` anew.
-    fn check(&mut self, explanation: &Explanation) {
-        for section in &explanation.sections {
-            if section.name == "illumination"
-                && let Some((_, point, normal, _)) = self.closest
-            {
-                self.told.extend([("point", point), ("normal", normal)]);
-            }
-            for (place, group) in section.groups.iter().enumerate() {
-                if group.name == "sum" {
-                    continue;
-                }
-                if section.name == "intersection" {
-                    self.told.retain(|symbol, _| ["p", "d"].contains(symbol));
-                } else {
-                    self.told.remove("L_s");
-                }
-                for line in &group.lines {
-                    let Some(found) = numbers(line.value, self.shown) else { continue };
-                    if !["(u, v)", "p", "d"].contains(&line.equation) {
-                        let (expected, scale) = self.expected(line, group, place.wrapping_sub(1));
-                        let off = (found - expected).abs().max_element();
-                        // Rounding of the smallest digits that are shown: below 10⁻⁶ of the largest.
-                        let allowed = OFF[usize::from(self.shown)] * scale + 1e-30;
-                        assert!(
-                            off <= allowed,
-                            "{}: '{}' of '{}' is {found} and should be {expected}, within \
-                             {allowed:.1e}, by the {} above it:\n{explanation}",
-                            S::NAME,
-                            line.equation,
-                            group.name,
-                            if self.shown { "digits" } else { "numbers" }
-                        );
-                    }
-                    self.told.insert(line.symbol(), found);
-                }
-                self.check_outcome(group);
-            }
-        }
-    }
-
-    /// A hit is the closest as yet, and what is missed is missed for the reason given.
-    fn check_outcome(&mut self, group: &Group) {
-        let has = |symbol: &str| self.told.get(symbol).map(|value| value.x);
-        let t_max = self.closest.map_or(f64::INFINITY, |hit| hit.0);
-        let why = match group.outcome {
-            Outcome::Missed("no root", "b² − a c < 0") => has("discriminant") < Some(0.0),
-            Outcome::Missed("no t in range", "t_min < t < t_max") => {
-                let ts = ["t", "t₁", "t₂"].into_iter().filter_map(has);
-                ts.into_iter().all(|t| !(0.0 < t && t < t_max))
-            }
-            Outcome::Missed("outside", condition) => {
-                let symbol = condition.trim_end_matches(" < 0");
-                symbol.len() < condition.len() && has(symbol) < Some(0.0)
-            }
-            Outcome::Missed(..) => false,
-            Outcome::Closest(_) | Outcome::Farther(_) => {
-                let t = self.number("t_max");
-                let closer = self.shown || t < t_max;
-                let record = (t, self.vector("point"), self.vector("normal"), group.name);
-                self.closest = Some(record);
-                closer
-            }
-            Outcome::Told => true,
-        };
-        // Of digits, zero may be shown for what is just below it.
-        assert!(
-            why || self.shown,
-            "{}: {:?} of '{}' is not so",
-            S::NAME,
-            group.outcome,
-            group.name
-        );
-    }
-}
-
-/// The colour that is told to be seen: in the lines that are not computed from others.
+/// The colour that is told to be seen: by a hit, by weights, or else by the light that is added.
 fn seen(step: &str, moved: &str, explanation: &Explanation) -> Option<Color> {
-    let color = |symbol: &str| match explanation.value(symbol) {
-        Some(Value::Vector(color)) => Some(color),
-        _ => None,
-    };
     let number = |symbol| tests::every_step::number(explanation, symbol);
     let hit = !explanation.lines().any(|line| matches!(line.value, Value::Word(_)));
     match step {
-        "step01_rays" => color("L"),
         "step02_sphere" => Some(Color::splat(f32::from(u8::from(hit)))),
         "step03_triangle" if !hit => Some(Color::ZERO),
         "step03_triangle" => {
@@ -423,46 +353,42 @@ fn seen(step: &str, moved: &str, explanation: &Explanation) -> Option<Color> {
             let mask = mask.into_iter().find(|(name, _)| *name == moved);
             Some(weights * mask.map_or(Color::ONE, |(_, mask)| mask))
         }
-        "step04_scene" => color("color").or_else(|| color("background")),
-        "step05_diffuse" => color("L_d").or_else(|| color("background")),
-        _ => color("background").or_else(|| Some(terms(explanation)?.into_iter().sum())),
+        _ => Some(terms(explanation)?.into_iter().sum()),
     }
 }
 
-/// The light that is added, in order.
+/// The light that is added, in order: for each share of the sum the last that was told of the light
+/// with that name, or of that symbol; where nothing is summed, the last that was told.
 fn terms(explanation: &Explanation) -> Option<Vec<Color>> {
-    let is_term = |line: &&Line| {
-        ["a L_a", "L_a", "L_d", "d L_d + s L_s"].contains(&line.equation)
-            || line.equation.starts_with("a L_a = ")
-            || line.equation.starts_with("L_a = ")
+    let groups = &explanation.sections.last()?.groups;
+    let color = |line: &Line| match line.value {
+        Value::Vector(color) => Some(color),
+        _ => None,
     };
-    let section = explanation.sections.last()?;
-    let told = section.groups.iter().filter(|group| group.name != "sum");
-    let lines = told.flat_map(|group| &group.lines).filter(is_term);
-    let colors = lines.map(|line| match line.value {
-        Value::Vector(color) => color,
-        other => panic!("a term is a colour, not {other}"),
-    });
-    Some(colors.collect())
+    let (last, lights) = groups.split_last()?;
+    if last.name != "sum" {
+        return Some(vec![color(last.lines.last()?)?]);
+    }
+    let term = |share: &Line| {
+        let mut lines = lights.iter().flat_map(|group| &group.lines);
+        match lights.iter().find(|light| light.name == share.equation) {
+            Some(light) => color(light.lines.last()?),
+            None => color(lines.find(|line| line.symbol() == share.equation)?),
+        }
+    };
+    last.lines.split_last()?.1.iter().map(term).collect()
 }
 
 /// The shares of the sum add up in the last digit shown, and each is its term.
 fn shares_add_up(step: &str, explanation: &Explanation) {
     let groups = explanation.sections.iter().flat_map(|section| &section.groups);
     for group in groups.filter(|group| group.name == "sum") {
-        let shares: Vec<[i64; 3]> = group
-            .lines
-            .iter()
-            .map(|line| {
-                let text = line.value.texts();
-                [0, 1, 2].map(|channel: usize| {
-                    text[channel].trim().replace('.', "").parse().expect("millionths")
-                })
-            })
-            .collect();
+        let millionths =
+            |text: &String| -> i64 { text.trim().replace('.', "").parse().expect("millionths") };
+        let share = |line: &Line| line.value.texts().iter().map(millionths).collect();
+        let shares: Vec<Vec<i64>> = group.lines.iter().map(share).collect();
         let (total, parts) = shares.split_last().expect("a sum");
-        let terms = terms(explanation).expect("terms");
-        assert_eq!(parts.len(), terms.len(), "{step}: a share for each term:\n{explanation}");
+        let terms = terms(explanation).expect("a term for each share");
         for channel in 0..3 {
             let sum: i64 = parts.iter().map(|part| part[channel]).sum();
             assert_eq!(sum, total[channel], "{step}: the parts add up as shown:\n{explanation}");
@@ -473,11 +399,8 @@ fn shares_add_up(step: &str, explanation: &Explanation) {
                 assert!(off.abs() < allowed, "{step}: a share is its term:\n{explanation}");
             }
         }
-        let name = |line: &Line| line.equation;
-        assert_eq!(group.lines.last().map(name), Some("L"), "{step}: the sum comes last");
-        let lights = |equation: &&str| equation.ends_with("light");
-        let named = group.lines.iter().map(name).filter(lights).count();
-        assert_eq!(named + 1, parts.len(), "{step}: a light's share has its name:\n{explanation}");
+        let last = group.lines.last().map(|line| line.equation);
+        assert_eq!(last, Some("L"), "{step}: the sum comes last:\n{explanation}");
     }
 }
 
@@ -528,19 +451,25 @@ fn what_is_told_is_what_is_drawn_and_adds_up<S: Package>() {
             let drawn = row(&moved.step, &*camera, pixel.row)[pixel.col];
             let bits = |color: Color| color.to_array().map(f32::to_bits);
             assert_eq!(bits(explanation.color), bits(drawn), "{}", told("drawn in another colour"));
-            let shown = moved.word("", "shown").unwrap_or_default();
+            let shown = moved.values.get("shown").map_or("", |values| &values[0].1);
             let seen = seen(S::NAME, shown, &explanation);
             assert_eq!(seen, Some(drawn), "{}", told("the lines lead to another colour"));
 
             let (u, v) = S::pixel_center(pixel);
             let Ray { origin, direction } = camera.generate_ray(u, v);
-            assert_eq!(explanation.value("(u, v)"), Some(Value::Pair(u, v)), "{}", told("(u, v)"));
-            assert_eq!(explanation.value("p"), Some(Value::Vector(origin)), "{}", told("p"));
-            assert_eq!(explanation.value("d"), Some(Value::Vector(direction)), "{}", told("d"));
+            let given = [("p", origin.into()), ("d", direction.into()), ("(u, v)", (u, v).into())];
+            for (symbol, value) in given {
+                assert_eq!(explanation.value(symbol), Some(value), "{}", told(symbol));
+            }
             for shown in [false, true] {
-                let told = HashMap::new();
-                let mut sheet = Sheet { moved: &moved, shown, told, closest: None };
-                sheet.check(&explanation);
+                let (moved, explanation) = (&moved, &explanation);
+                let (group, object) = (&explanation.sections[0].groups[0], "");
+                let (told, closest) = (Vec::new(), None);
+                let mut sheet = Sheet { moved, explanation, shown, told, closest, group, object };
+                for (symbol, value) in given {
+                    sheet.tell(symbol, quantity(value, shown).expect("numbers"));
+                }
+                sheet.check();
             }
             shares_add_up(S::NAME, &explanation);
             reads_well(S::NAME, &explanation);

@@ -537,95 +537,86 @@ fn set_up(index: usize, arguments: &str) -> Setup {
     setup
 }
 
-const BRIGHTER: Ordering = Ordering::Greater;
-const DARKER: Ordering = Ordering::Less;
-const SAME: Ordering = Ordering::Equal;
+/// What a handout says is seen under «Try this»: with the settings `after`, and not with those
+/// `before`, pixels of 960 × 540 are brighter, darker or the same.
+struct Seen<'a> {
+    before: &'a str,
+    after: &'a str,
+    pixels: Vec<(u32, u32, Ordering)>,
+}
 
-/// What the handouts say is seen under «Try this»: with the second settings of this step, and not
-/// the first, pixels of 960 × 540 are brighter, darker or the same.
-type Seen = (usize, &'static str, &'static str, &'static [(u32, u32, Ordering)]);
+/// How the English handout says it, in a comment, which no reader sees.
+const SEEN: &str = "<!-- --set NAME=VALUE: COL,ROW brighter, COL,ROW darker, COL,ROW same -->, \
+    or with other settings than the start's before a ';'";
 
-#[rustfmt::skip]
-const SEEN: &[Seen] = &[
-    (1, "", "--set shown=origin", &[(0, 0, BRIGHTER), (480, 270, BRIGHTER), (959, 539, BRIGHTER)]),
-    (1, "--set shown=origin", "--camera parallel --set shown=origin", &[(0, 270, DARKER), (959, 270, BRIGHTER)]),
-    (1, "", "--camera parallel", &[(0, 270, DARKER), (0, 539, DARKER)]),
-    (1, "", "--set fov=170", &[(0, 270, DARKER), (959, 270, BRIGHTER)]),
-    (1, "", "--set azimuth=90", &[(0, 270, BRIGHTER), (959, 270, DARKER)]),
-    (1, "--camera parallel --set shown=origin", "--camera parallel --set shown=origin --set distance=1", &[(0, 539, BRIGHTER), (959, 0, DARKER)]),
-    (2, "", "--set radius=2", &[(0, 0, BRIGHTER), (959, 539, BRIGHTER), (480, 270, SAME)]),
-    (2, "", "--set center.z=3", &[(0, 0, BRIGHTER), (959, 539, BRIGHTER)]),
-    (2, "", "--camera parallel", &[(250, 270, DARKER), (709, 270, DARKER), (263, 270, SAME), (249, 270, SAME)]),
-    (2, "", "--set distance=1.5 --set center.z=3", &[(480, 270, DARKER), (300, 270, DARKER)]),
-    (2, "", "--set center.y=1", &[(480, 270, DARKER), (480, 269, SAME), (480, 20, BRIGHTER)]),
-    (3, "", "--set shown=alpha", &[(673, 399, DARKER), (286, 399, DARKER)]),
-    (3, "--set shown=alpha", "--set shown=beta", &[(286, 399, DARKER), (673, 399, BRIGHTER)]),
-    (3, "--set shown=alpha", "--set shown=gamma", &[(286, 399, DARKER), (480, 110, BRIGHTER)]),
-    (3, "", "--set c.x=1.2", &[(480, 110, DARKER), (720, 110, BRIGHTER)]),
-    (3, "", "--set c.z=2", &[(480, 5, BRIGHTER), (100, 5, SAME)]),
-    (3, "", "--camera parallel --set c.z=2", &[(480, 5, SAME), (480, 110, SAME)]),
-    (3, "", "--set azimuth=180", &[(480, 270, SAME), (100, 270, SAME)]),
-    (3, "", "--set azimuth=90", &[(480, 270, DARKER), (286, 399, DARKER)]),
-    (3, "", "--set c.y=-0.8", &[(480, 270, DARKER), (286, 399, DARKER)]),
-    (4, "", "--set center.z=3", &[(280, 330, BRIGHTER), (480, 500, DARKER), (200, 330, SAME)]),
-    (4, "", "--set center.x=1.7 --set center.z=-0.9", &[(420, 200, BRIGHTER), (628, 140, DARKER), (700, 330, SAME)]),
-    (4, "", "--set center.y=-0.3", &[(420, 200, BRIGHTER), (420, 280, SAME)]),
-    (4, "", "--set elevation=89", &[(480, 20, BRIGHTER)]),
-    (4, "", "--set elevation=-20", &[(420, 280, BRIGHTER), (640, 250, DARKER), (480, 20, BRIGHTER)]),
-    (4, "", "--set sphere=blue --set radius=2", &[(640, 250, DARKER), (420, 280, BRIGHTER), (200, 330, SAME)]),
-    (5, "", "--set light.x=-4", &[(480, 270, DARKER), (330, 270, BRIGHTER)]),
-    (5, "", "--set light.y=1", &[(480, 270, BRIGHTER), (430, 150, DARKER), (940, 200, DARKER)]),
-    (5, "", "--set light.y=-3", &[(480, 270, BRIGHTER), (480, 520, DARKER)]),
-    (5, "", "--set attenuation=off", &[(480, 270, BRIGHTER), (330, 270, SAME)]),
-    (5, "", "--set attenuation=off --set I=1", &[(940, 200, BRIGHTER), (940, 500, SAME)]),
-    (5, "", "--set k_d=0.05", &[(480, 270, DARKER), (600, 330, SAME)]),
-    (5, "", "--set azimuth=60", &[(480, 270, DARKER)]),
-    (6, "", "--set shadows=off", &[(240, 420, BRIGHTER), (560, 420, BRIGHTER), (330, 300, SAME)]),
-    (6, "", "--set lights=1", &[(560, 420, DARKER), (330, 300, DARKER), (480, 270, SAME)]),
-    (6, "", "--set lights=0", &[(480, 270, DARKER), (560, 420, DARKER)]),
-    (6, "", "--set I_a=0", &[(380, 343, DARKER), (480, 270, DARKER)]),
-    (6, "", "--set I_a=5", &[(380, 343, BRIGHTER), (480, 270, BRIGHTER)]),
-    (6, "--set I_a=0", "--set I_a=0 --set light=fill --set light.x=0 --set light.y=2.4 --set light.z=7", &[(380, 343, BRIGHTER), (400, 355, BRIGHTER), (596, 202, BRIGHTER)]),
-    (6, "", "--set epsilon=0.1", &[(560, 420, BRIGHTER), (240, 420, SAME)]),
-    (7, "", "--set p=1000", &[(465, 215, DARKER), (457, 211, SAME)]),
-    (7, "", "--set p=10", &[(440, 225, BRIGHTER), (420, 240, BRIGHTER)]),
-    (7, "", "--set k_s=1", &[(465, 215, BRIGHTER), (420, 240, SAME)]),
-    (7, "", "--set k_s=0", &[(465, 215, DARKER), (420, 240, SAME)]),
-    (7, "", "--set azimuth=30", &[(465, 215, DARKER)]),
-    (7, "", "--set L_a=0 --set L_d=0", &[(465, 215, DARKER), (400, 400, DARKER)]),
-    (7, "", "--set phong=on", &[(465, 215, DARKER), (457, 211, SAME)]),
-    (7, "--set phong=on", "--set phong=on --set p=25", &[(465, 215, BRIGHTER), (440, 225, BRIGHTER)]),
-];
+/// Reads such a comment.
+fn seen(comment: &str) -> Option<Seen<'_>> {
+    let text = comment.strip_prefix("<!--")?.strip_suffix("-->")?.trim();
+    let (settings, pixels) = text.split_once(": ")?;
+    let (before, after) = settings.split_once("; ").unwrap_or(("", settings));
+    let mut flags = [before, after].into_iter().flat_map(|all| all.split_whitespace().step_by(2));
+    let pixels = pixels.split(", ").map(|pixel| {
+        let (place, found) = pixel.split_once(' ')?;
+        let (col, row) = place.split_once(',')?;
+        let found = match found {
+            "brighter" => Ordering::Greater,
+            "darker" => Ordering::Less,
+            "same" => Ordering::Equal,
+            _ => return None,
+        };
+        let (col, row) = (col.parse().ok()?, row.parse().ok()?);
+        (col < 960 && row < 540).then_some((col, row, found))
+    });
+    let pixels = pixels.collect::<Option<_>>()?;
+    let known = !after.is_empty() && flags.all(|flag| ["--set", "--camera"].contains(&flag));
+    known.then_some(Seen { before, after, pixels })
+}
 
 #[test]
 fn what_is_to_be_seen_is_seen() {
     let mut wrong = Vec::new();
-    for (number, before, after, pixels) in SEEN {
-        let pictures =
-            [before, after].map(|settings| picture_of(&set_up(number - 1, settings), 960, 540));
-        for (col, row, expected) in *pixels {
-            let [before, after_] =
-                pictures.each_ref().map(|picture| picture.get_pixel(*col, *row).0);
-            let light = |pixel: [u8; 3]| pixel.iter().map(|code| u32::from(*code)).sum::<u32>();
-            let found = light(after_).cmp(&light(before));
-            if found != *expected || (found == SAME && before != after_) {
-                wrong.push(format!(
-                    "step {number}, {after}: ({col}, {row}) went from {before:?} to {after_:?}"
-                ));
-            }
-        }
-    }
     for (index, step) in STEPS.iter().enumerate() {
         let readme = Readme::read(&Path::new(step).join("README.md"));
-        for part in readme.section("Try this") {
-            if let Part::Code(code) = part
-                && code.starts_with("--")
-                && !["--pixel", "--samples"].iter().any(|flag| code.contains(flag))
-                && !SEEN.iter().any(|(number, _, after, _)| *number == index + 1 && after == code)
-            {
-                wrong.push(format!(
-                    "{step}: SEEN of tests/handouts.rs does not say what is to be seen with {code}"
-                ));
+        for item in readme.section("Try this").split(|part| *part == Part::ListItem) {
+            let mut said = Vec::new();
+            let comments = item.iter().filter_map(|part| match part {
+                Part::Html(html) => Some(html.trim()).filter(|html| html.starts_with("<!--")),
+                _ => None,
+            });
+            for comment in comments {
+                match seen(comment) {
+                    Some(seen) => said.push(seen),
+                    None => {
+                        wrong.push(format!("{step}: malformed: {comment}; it has to be {SEEN}"))
+                    }
+                }
+            }
+            for part in item {
+                if let Part::Code(code) = part
+                    && code.starts_with("--")
+                    && !["--pixel", "--samples"].iter().any(|flag| code.contains(flag))
+                    && !said.iter().any(|seen| seen.after == code)
+                {
+                    wrong.push(format!(
+                        "{step}: its item has no comment on what is seen with {code}: {SEEN}"
+                    ));
+                }
+            }
+            for Seen { before, after, pixels } in said {
+                let pictures =
+                    [before, after].map(|settings| picture_of(&set_up(index, settings), 960, 540));
+                for (col, row, expected) in pixels {
+                    let [old, new] =
+                        pictures.each_ref().map(|picture| picture.get_pixel(col, row).0);
+                    let light =
+                        |pixel: [u8; 3]| pixel.iter().map(|code| u32::from(*code)).sum::<u32>();
+                    let found = light(new).cmp(&light(old));
+                    if found != expected || (found == Ordering::Equal && old != new) {
+                        wrong.push(format!(
+                            "{step}, {after}: {col},{row} went from {old:?} to {new:?}"
+                        ));
+                    }
+                }
             }
         }
     }

@@ -146,7 +146,14 @@ static BUILT: LazyLock<PathBuf> = LazyLock::new(|| {
     let test = std::env::current_exe().expect("the test has a path");
     let profile = test.parent().and_then(Path::parent).expect("target/PROFILE/deps");
     let mut build = Command::new(env!("CARGO"));
-    build.current_dir(root()).args(["build", "--quiet", "--workspace", "--bins"]);
+    build.current_dir(root()).args([
+        "build",
+        "--quiet",
+        "--workspace",
+        "--bins",
+        "--example",
+        "figure",
+    ]);
     build.arg("--target-dir").arg(profile.parent().expect("target/PROFILE"));
     if profile.ends_with("release") {
         build.arg("--release");
@@ -161,7 +168,7 @@ pub fn program(name: &str) -> Command {
     match name.strip_prefix("examples/") {
         None => Command::new(built(name)),
         Some(figure) => {
-            let mut command = Command::new(built("figure"));
+            let mut command = Command::new(built("examples/figure"));
             command.arg(figure);
             command
         }

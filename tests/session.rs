@@ -603,14 +603,26 @@ fn the_lesson_is_read_beside_the_picture() {
 
 #[test]
 fn what_a_step_tells_anew_is_marked() {
-    let marked = |mut session: Session| {
-        click_middle(&mut session);
-        let image = painted(&mut session, WINDOW);
+    let marks = |session: &mut Session| {
+        let image = paint(session, WINDOW);
         image.pixels().filter(|pixel| pixel.0 == [150, 225, 150]).count()
     };
-    for (index, name) in STEPS.iter().enumerate() {
-        assert_eq!(marked(lecture(index)) > 100, index > 0, "{name}");
-        assert_eq!(marked(crate::session(index)), 0, "{name}");
+    // Where letters are large, what is new is far below the panel's upper edge.
+    for larger in [0, 8] {
+        let pinned = |session: Session| {
+            let mut session = wide(session);
+            (0..larger).for_each(|_| drop(key(&mut session, Key::Char('+'))));
+            click_middle(&mut session);
+            session
+        };
+        for (index, name) in STEPS.iter().enumerate() {
+            let mut session = pinned(lecture(index));
+            assert_eq!(marks(&mut session) > 100, index > 0, "{name}, {larger} times larger");
+            assert_eq!(marks(&mut pinned(crate::session(index))), 0, "{name}");
+            // And when the pixel was pinned before.
+            key(&mut session, Key::PageDown);
+            assert!(marks(&mut session) > 100, "{name}, the step after it");
+        }
     }
 }
 

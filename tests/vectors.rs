@@ -281,6 +281,17 @@ fn a_shadow_ray_ends_at_the_light_or_at_what_blocks_it() {
 }
 
 #[test]
+fn another_ray_is_blocked_by_nothing_however_short() {
+    let (ray, mut told) = (Ray::new(Vec3::ZERO, Vec3::X), Explanation::new(pixel(0.5, 0.5, SIZE)));
+    told.ray("d", &ray, f32::INFINITY);
+    for t in [0.5, 1.0, 3.0] {
+        told.ray("another ray's d", &ray, t);
+    }
+    let expected = [0.5, 1.0, 3.0].map(|t| MarkShape::Ray(ray.origin, ray.at(t)));
+    assert_eq!(shapes(&told, "another ray's d"), expected);
+}
+
+#[test]
 fn symbols_differ_in_color_for_all_eyes() {
     // Machado, Oliveira & Fernandes 2009, without red and without green cones; linear light.
     let seen: [[[f64; 3]; 3]; 3] = [

@@ -42,7 +42,7 @@ impl Srgb {
 
     #[inline]
     fn encode(&self, linear: f32) -> u8 {
-        let linear = if linear > 0.0 { linear.min(1.0) } else { 0.0 };
+        let linear = if linear.is_nan() { 0.0 } else { linear.clamp(0.0, 1.0) };
         let guess = self.guess[Self::step(linear)];
         guess + u8::from(linear >= self.from[guess as usize + 1])
     }

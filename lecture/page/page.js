@@ -8,6 +8,8 @@ const DRAGGED_MS = 22;
 const AHEAD = 2;
 /** The largest band of rows, and the smallest: the last ones, so that all workers end together. */
 const BAND_PIXELS = [36 * 960, 6 * 960];
+/** Without workers: how long the page draws before it looks whether there is something else to do. */
+const ALONE_MS = 12;
 
 const $ = (id) => document.getElementById(id);
 const STEPS = document.querySelectorAll("#steps a").length;
@@ -23,7 +25,10 @@ let language = languageOfBrowser();
 /** A text in the language of the page, found by its English. */
 const text = (english) => (language === "en" ? english : PORTUGUESE[english] || english);
 
-/** What runs a command in the steps' program; also within a worker, which knows nothing else of here. */
+/**
+ * What runs a command in the steps' program; also within a worker, which knows nothing else of here.
+ * The answer stays in the program's memory, and is there until the next command.
+ */
 function runner(instance) {
   const { memory, page_input, page_run, page_output } = instance.exports;
   return (command, rgb) => {
@@ -35,7 +40,7 @@ function runner(instance) {
     place.set(bytes);
     if (rgb) place.set(rgb, bytes.length);
     const length = page_run();
-    const answer = new Uint8Array(memory.buffer, page_output(), Math.abs(length)).slice();
+    const answer = new Uint8Array(memory.buffer, page_output(), Math.abs(length));
     if (length < 0) throw new Error(new TextDecoder().decode(answer));
     return answer;
   };
@@ -47,7 +52,7 @@ function work(runner) {
     if (data.module) run = runner(new WebAssembly.Instance(data.module));
     else if (data.change) try { run(data.change); } catch { /* The page has said so. */ }
     else {
-      const rgb = run(`rows ${data.layer} ${data.width} ${data.height} ${data.first} ${data.count}`);
+      const rgb = run(`rows ${data.layer} ${data.width} ${data.height} ${data.first} ${data.count}`).slice();
       postMessage({ ...data, rgb }, [rgb.buffer]);
     }
   };
@@ -173,21 +178,24 @@ function pump() {
 
 const { port1, port2 } = new MessageChannel();
 port1.onmessage = () => {
-  const band = queue.shift();
-  if (!band) return;
-  const { drawing, layer, width, height, first, count } = band;
-  const rgb = run(`rows ${layer} ${width} ${height} ${first} ${count}`);
-  drawings[drawing].finished({ ...band, rgb });
+  const end = performance.now() + ALONE_MS;
+  while (queue.length && performance.now() < end) {
+    const band = queue.shift();
+    const { drawing, layer, width, height, first, count } = band;
+    const rgb = run(`rows ${layer} ${width} ${height} ${first} ${count}`);
+    drawings[drawing].finished({ ...band, rgb });
+  }
   if (queue.length) alone();
 };
-/** Without workers: a band here, then whatever else the page has to do, then the next. */
+/** Without workers: some bands here, then whatever else the page has to do, then the next. */
 function alone() { port2.postMessage(0); }
 
 /** Puts a picture on a canvas of this size, with what is drawn over it. */
 function put(canvas, layer, [cols, rows], { width, height, rgb }, marks) {
   const rgba = run(`show ${layer} ${cols} ${rows} ${width} ${height} ${marks}`, rgb[layer]);
   if (canvas.width !== cols || canvas.height !== rows) [canvas.width, canvas.height] = [cols, rows];
-  canvas.getContext("2d").putImageData(new ImageData(new Uint8ClampedArray(rgba.buffer), cols, rows), 0, 0);
+  const pixels = new Uint8ClampedArray(rgba.buffer, rgba.byteOffset, rgba.length);
+  canvas.getContext("2d").putImageData(new ImageData(pixels, cols, rows), 0, 0);
 }
 
 // ---- the step's picture

@@ -125,7 +125,7 @@ fn with_indices(html: &str) -> String {
 }
 
 /// Equations become MathML, settings become links that set them, differences are coloured, tables of
-/// figures become figures; links to files and other pictures stay out.
+/// figures become figures; links to files, other pictures and comments stay out.
 fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str) -> Vec<Event<'a>> {
     let number = &name[..6];
     let mut events: Vec<Event<'a>> = Vec::new();
@@ -144,6 +144,9 @@ fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str) -> Vec<Event<'a>> {
                 image.iter_mut().for_each(|(_, alternative)| alternative.push_str(&text));
             }
             _ if image.is_some() => {}
+            // What a handout says to the tests alone.
+            Event::Html(html) | Event::InlineHtml(html)
+                if html.trim_start().starts_with("<!--") => {}
             Event::DisplayMath(latex) => {
                 events.push(Event::InlineHtml(equation::block(&latex).into()));
             }

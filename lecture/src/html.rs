@@ -108,8 +108,12 @@ fn portuguese(sources: &[&str]) -> String {
 /// The committed pictures in `folder`, small, as the grounds of the places for the figures: where
 /// nothing can be drawn, they remain. Those of one language, NAME.LANGUAGE.png, are not needed.
 fn stills(folder: &Path, style: &mut String) -> Result<()> {
+    // A step needs no figures.
+    if !folder.exists() {
+        return Ok(());
+    }
     let mut paths = Vec::new();
-    for entry in fs::read_dir(folder)? {
+    for entry in fs::read_dir(folder).with_context(|| folder.display().to_string())? {
         paths.push(entry?.path());
     }
     paths.sort();

@@ -381,7 +381,11 @@ impl Page {
             let sight = Sight { step, camera: &*camera, area: area(size) };
             draw_vectors(&mut canvas, sight, explanation.as_ref(), handles, text_size);
         }
-        Ok(picture.pixels().flat_map(|pixel| [pixel[0], pixel[1], pixel[2], 255]).collect())
+        let mut rgba = vec![255; 4 * size.width() * size.height()];
+        for (to, from) in rgba.chunks_exact_mut(4).zip(picture.chunks_exact(3)) {
+            to[..3].copy_from_slice(from);
+        }
+        Ok(rgba)
     }
 
     fn explain(&self, words: &mut Words<'_>) -> Result<String, String> {

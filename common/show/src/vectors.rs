@@ -23,7 +23,7 @@ pub fn symbol_ink(symbol: &str) -> Option<Ink> {
         "l" => Ink::new(240, 228, 66),
         "v" => Ink::new(100, 190, 245),
         "h" | "v_r" => Ink::new(225, 85, 200),
-        "shadow ray's d" => Ink::new(230, 159, 0),
+        SHADOW_RAY => Ink::new(230, 159, 0),
         "d" | "p" | "(u, v)" => Ink::new(240, 90, 40),
         "point" | "t" | "t₁" | "t₂" | "t_max" => Ink::WHITE,
         "α" => Ink::new(230, 85, 45),
@@ -32,6 +32,9 @@ pub fn symbol_ink(symbol: &str) -> Option<Ink> {
         _ => return None,
     })
 }
+
+/// What a step calls the ray that ends at a light, or before it where the light is blocked.
+const SHADOW_RAY: &str = "shadow ray's d";
 
 /// Something told that can be seen in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -104,10 +107,12 @@ pub fn marks(explanation: &Explanation, unit: f32) -> Vec<Mark> {
                 Some(Place::Along(ray, t)) if symbol != "t" && !lit => {
                     mark(symbol, MarkShape::Point(ray.at(t)));
                 }
-                Some(Place::Ray(ray, t)) if t < 1.0 => {
+                Some(Place::Ray(ray, t)) if t < 1.0 && symbol == SHADOW_RAY => {
                     mark(symbol, MarkShape::Blocked(ray.origin, ray.at(t)));
                 }
-                Some(Place::Ray(ray, 1.0)) => mark(symbol, MarkShape::Ray(ray.origin, ray.at(1.0))),
+                Some(Place::Ray(ray, t)) if t.is_finite() => {
+                    mark(symbol, MarkShape::Ray(ray.origin, ray.at(t)));
+                }
                 _ => {}
             }
         }
@@ -144,7 +149,11 @@ pub(crate) fn draw_marks(pen: &mut Pen<'_>, marks: &[Mark]) {
             let longest = |stroke: &&crate::Stroke| (8.0 * distance(stroke.from, stroke.to)) as u32;
             if let Some(crate::Stroke { from, to, .. }) = seen.iter().max_by_key(longest) {
                 let middle = ((from.0 + to.0) / 2.0, (from.1 + to.1) / 2.0);
-                pen.label_toward(middle, (0.7, 0.7), ink(symbol), text!("shadow ray"));
+                let name = match *symbol {
+                    SHADOW_RAY => text!("shadow ray"),
+                    symbol => translated(symbol),
+                };
+                pen.label_toward(middle, (0.7, 0.7), ink(symbol), name);
             }
         }
         if let MarkShape::Blocked(_, to) = *shape {

@@ -515,8 +515,8 @@ impl Session {
         }
         let shown = self.reading == reading && !self.hidden;
         self.reading = if shown { Reading::Pixel } else { reading };
-        self.reading_scroll = 0.0;
         self.hidden = false;
+        self.scroll_reading();
     }
 
     /// Another program, seen as this one is; nothing when there is none.
@@ -538,8 +538,8 @@ impl Session {
         if empty {
             self.reading = Reading::Pixel;
         }
-        self.reading_scroll = 0.0;
         self.changed();
+        self.scroll_reading();
     }
 
     fn hold(&mut self, holding: bool) {
@@ -635,8 +635,8 @@ impl Session {
         self.pinned = Some((center(u, width), center(v, height)));
         self.reading = Reading::Pixel;
         if first {
-            self.reading_scroll = 0.0;
             self.unfold();
+            self.scroll_reading();
         }
         if let Some(explanation) = self.explanation() {
             self.ask(Effect::Print(explanation.to_string()));
@@ -662,6 +662,11 @@ impl Session {
                 self.folds.pop();
             }
         }
+    }
+
+    /// Begins what is read at its top, or, where that is farther down, at what this step tells anew.
+    fn scroll_reading(&mut self) {
+        self.reading_scroll = self.reading_panel().map_or(0.0, |panel| panel.scroll_to_new());
     }
 
     fn press(&mut self, at: (f32, f32)) {

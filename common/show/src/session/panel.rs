@@ -227,6 +227,21 @@ impl Panel {
         self.scroll.max(least).min(place.top) / self.em
     }
 
+    /// How far it has to be scrolled, in ems, for something new to be seen: not at all where there
+    /// is none, or where some can be seen as it is.
+    pub(super) fn scroll_to_new(&self) -> f32 {
+        let rows = self.places.iter().zip(&self.rows).filter(|(_, row)| row.is_new());
+        let mut new = rows.map(|(place, _)| place);
+        let height = self.inner().height;
+        match new.next() {
+            Some(first) if first.bottom() > height => {
+                let last = new.next_back().unwrap_or(first);
+                (last.bottom() - height).min(first.top) / self.em
+            }
+            _ => 0.0,
+        }
+    }
+
     fn row_area(&self, row: usize) -> Area {
         let (inner, place) = (self.inner(), self.places[row]);
         let top = (inner.top + place.top - self.scroll).round();
