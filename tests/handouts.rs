@@ -603,11 +603,14 @@ fn what_is_to_be_seen_is_seen() {
                 }
             }
             for Seen { before, after, pixels } in said {
-                let pictures =
-                    [before, after].map(|settings| picture_of(&set_up(index, settings), 960, 540));
+                let setups = [before, after].map(|settings| set_up(index, settings));
                 for (col, row, expected) in pixels {
-                    let [old, new] =
-                        pictures.each_ref().map(|picture| picture.get_pixel(col, row).0);
+                    let [old, new] = setups.each_ref().map(|setup| {
+                        let (col, row, width, height) = (col as usize, row as usize, 960, 540);
+                        let camera = setup.view().camera(Size::DEFAULT.aspect());
+                        let pixel = Pixel { col, row, width, height };
+                        encode(setup.step().explain(&*camera, pixel).color)
+                    });
                     let light =
                         |pixel: [u8; 3]| pixel.iter().map(|code| u32::from(*code)).sum::<u32>();
                     let found = light(new).cmp(&light(old));

@@ -280,7 +280,7 @@ const SAID: &[(&str, &[&str])] = &[
     (STEPS[5], &["--compare", "a.png"]),
     (STEPS[5], &["--compare", "text.png"]),
     (STEPS[5], &["--compare", "."]),
-    (STEPS[5], &["--check", STEPS[5]]),
+    (STEPS[0], &["--check", STEPS[0]]),
     (STEPS[5], &["--outside=on"]),
     (STEPS[5], &["--language", "tlh"]),
     ("lecture", &["--help"]),

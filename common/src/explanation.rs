@@ -299,7 +299,8 @@ impl Explanation {
 
 /// What stands before the =; all of a symbol.
 fn left_side(equation: &'static str) -> &'static str {
-    equation.split('=').next().unwrap_or(equation).trim_end()
+    let left = equation.split('=').next().unwrap_or(equation);
+    left.strip_suffix(' ').unwrap_or(left)
 }
 
 impl Line {
