@@ -47,8 +47,8 @@ pub(crate) extern "C" fn page_output() -> *const u8 {
     DESK.with_borrow(|desk| desk.output.as_ptr())
 }
 
-/// What [`f32::powf`] is in a browser, where the linker takes this function in place of Rust's, which
-/// takes several times as long: a sixth of a picture of step 07.
+/// What [`f32::powf`] is in a browser, where the linker takes this function in place of Rust's: a
+/// picture of step 07 takes 0.93 of the time.
 #[expect(unsafe_code, reason = "the linker finds the function by its name")]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn powf(x: f32, y: f32) -> f32 {
