@@ -27,7 +27,7 @@ const WIDTH: usize = 64;
 const HEIGHT: usize = 36;
 
 /// How many settings are tried, and how many pixels of each.
-const TRIED: (usize, usize) = (50, 10);
+const TRIED: (usize, usize) = (100, 10);
 
 /// The widest line of a terminal in class.
 const LONGEST: usize = 100;
@@ -288,6 +288,7 @@ impl<S: Package> Sheet<'_, S> {
                     self.tell(name, quantity(Vec3::from(*vertex), false).expect("numbers"));
                 }
                 group.lines.iter().for_each(|line| self.check_line(line));
+                check_highlight(group);
                 self.check_outcome();
                 if group.name.is_empty() {
                     shared = self.told.len();
@@ -329,6 +330,21 @@ impl<S: Package> Sheet<'_, S> {
             "{step}: {outcome:?} of '{name}' is not so:\n{}",
             self.explanation
         );
+    }
+}
+
+/// A highlight is told only where there is one.
+fn check_highlight(group: &Group) {
+    let number = |equation: &str| {
+        let line = group.lines.iter().find(|line| line.equation == equation)?;
+        match line.value {
+            Value::Number(number) | Value::Pair(number, _) => Some(number),
+            _ => None,
+        }
+    };
+    if number("max(0, cos α)^p").is_some() {
+        let shines = number("k_s, p") > Some(0.0) && number("n·l") > Some(0.0);
+        assert!(shines, "'{}' has a highlight without k_s > 0 and n·l > 0", group.name);
     }
 }
 

@@ -421,7 +421,7 @@ fn how_the_picture_was_made_stands_where_nothing_else_does() {
         let mut session = session(index);
         session.handle(Event::Resize(window));
         let pictures = rendered(&session);
-        for words in (0..60).step_by(10) {
+        for words in (0..60).step_by(5) {
             session.handle(Event::Say("a word ".repeat(words)));
             let [without, with] = ["", "12.3 ms, 40/s"].map(|status| {
                 let mut image = RgbImage::new(window.width() as u32, window.height() as u32);

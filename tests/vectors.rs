@@ -149,8 +149,8 @@ proptest! {
         let (from, to) = (Vec3::from(from), Vec3::from(to));
         let strokes = sight.strokes(from, to);
         // Hidden or not, at points closer together than pixels; unsure close to a surface.
-        let truth: Vec<_> = (0..=1600).filter_map(|part| {
-            let point = from.lerp(to, part as f32 / 1600.0);
+        let truth: Vec<_> = (0..=4000).filter_map(|part| {
+            let point = from.lerp(to, part as f32 / 4000.0);
             let at = sight.at(point).filter(|at| AREA.contains(*at))?;
             let ray = sight.ray(at);
             let t = (point - ray.origin).dot(ray.direction);
@@ -162,7 +162,7 @@ proptest! {
         let apart = |a: (f32, f32), b: (f32, f32)| (a.0 - b.0).hypot(a.1 - b.1);
         for stroke in &strokes {
             let length = apart(stroke.from, stroke.to);
-            for (place, (at, hidden)) in truth.iter().enumerate().step_by(8) {
+            for (place, (at, hidden)) in truth.iter().enumerate().step_by(20) {
                 let along = apart(stroke.from, *at) + apart(*at, stroke.to) - length;
                 let inside = along.abs() < 0.05 && length > 1.0;
                 // What is smaller than the interval between two looks may be missed.
