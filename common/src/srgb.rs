@@ -40,9 +40,9 @@ impl Srgb {
         ((1.0 + linear).to_bits() - 1.0_f32.to_bits()) as usize >> 11
     }
 
+    /// The code that is nearest to `linear`, 0 to 1.
     #[inline]
-    fn encode(&self, linear: f32) -> u8 {
-        let linear = if linear.is_nan() { 0.0 } else { linear.clamp(0.0, 1.0) };
+    fn code(&self, linear: f32) -> u8 {
         let guess = self.guess[Self::step(linear)];
         guess + u8::from(linear >= self.from[guess as usize + 1])
     }
@@ -56,5 +56,7 @@ static SRGB: LazyLock<Srgb> = LazyLock::new(Srgb::new);
 #[inline]
 pub fn encode(color: Color) -> [u8; 3] {
     let srgb = &*SRGB;
-    color.to_array().map(|linear| srgb.encode(linear))
+    // What is not a number is not above 0 either.
+    let linear = Color::select(color.cmpgt(Color::ZERO), color, Color::ZERO).min(Color::ONE);
+    linear.to_array().map(|linear| srgb.code(linear))
 }
