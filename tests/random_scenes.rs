@@ -109,8 +109,9 @@ impl RandomScene {
             lights,
             ambient: between(rng, 0.5, 1.5),
             shadows: true,
-            // POV-Ray's shadow rays begin 10⁻³ from the surface, and lights are about 10 away.
-            epsilon: 1e-4,
+            // POV-Ray, with 64 bits, begins its shadow rays nearer to the surface, and a triangle
+            // that cuts a sphere casts a shadow from there. At 10⁻⁵ surfaces would shadow themselves.
+            epsilon: 3e-5,
             weights: [1.0; 3],
         };
         let (eye, target) = (around(rng, 8.0, 11.0), vector(rng, -0.5, 0.5));
@@ -241,5 +242,5 @@ fn looks_the_same_to_pov_ray(seed: u64) {
 #[test]
 #[ignore = "needs POV-Ray"]
 fn scenes_look_the_same_to_pov_ray() {
-    (1..=12).into_par_iter().for_each(looks_the_same_to_pov_ray);
+    (1..=60).into_par_iter().for_each(looks_the_same_to_pov_ray);
 }
