@@ -272,7 +272,7 @@ fn sliders_stand_where_their_value_is_and_give_numbers_that_can_be_typed() {
         control.set_fraction(fraction);
         assert_eq!(control.text(), text, "the slider is put back");
     }
-    for (control, typed) in kinds(&mut values).iter_mut().zip(["0.6667", "10"]) {
+    for (control, typed) in kinds(&mut values).iter_mut().zip(["0.6667", "10", "0.36667"]) {
         control.set_fraction(1.0 / 3.0);
         assert_eq!(control.exact(), typed, "'{}' has five digits", control.name);
     }

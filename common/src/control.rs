@@ -305,7 +305,9 @@ impl Control<'_> {
             Kind::Number(value, range) => {
                 **value = typable(mix(fraction, range), range.end() - range.start());
             }
-            Kind::Brightness(color, range) => brighten(color, mix(fraction, range)),
+            Kind::Brightness(color, range) => {
+                brighten(color, typable(mix(fraction, range), range.end() - range.start()));
+            }
             Kind::Logarithmic(value, range) => {
                 let low = lowest(range);
                 let number = mix(fraction, &(low.ln()..=range.end().ln())).exp();
