@@ -143,7 +143,12 @@ impl Browser {
     /// What the page's script drew on the canvas that `selector` names.
     pub(crate) fn canvas(&self, selector: &str) -> RgbImage {
         let canvas = format!("document.querySelector('{selector}')");
-        let address = self.text(&format!("return {canvas}.toDataURL('image/png')"));
+        self.picture(&format!("return {canvas}.toDataURL('image/png')"))
+    }
+
+    /// The picture whose data address `script` returns.
+    pub(crate) fn picture(&self, script: &str) -> RgbImage {
+        let address = self.text(script);
         let png = STANDARD.decode(address.split_once(',').expect("a data address").1);
         image::load_from_memory(&png.expect("base64")).expect("a PNG").to_rgb8()
     }

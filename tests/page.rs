@@ -376,6 +376,15 @@ fn the_keyboard_does_it_all() {
     browser.wait_for(DRAWN);
     assert!(number(&browser, "k_s") > k_s);
 
+    // There a page down is a page of what is read, and Escape unpins.
+    browser.run("$('handout07-en').querySelector('a').focus({ preventScroll: true })");
+    browser.key(down);
+    browser.wait_for("addEventListener('scroll', done, { once: true }); if (scrollY > 0) done()");
+    browser.run("$('input-k_s').focus()");
+    browser.key("\u{e00c}");
+    browser.wait_for(DRAWN);
+    assert_eq!(browser.run("return [state.step, pin]"), json!([7, null]));
+
     // The step before, as long as the key is down.
     browser.run("document.activeElement.blur()");
     let press = |kind: &str| {
@@ -398,6 +407,21 @@ fn the_divider_shows_the_step_before() {
     assert_eq!(browser.text("return $('before').style.clipPath"), "inset(0px 75% 0px 0px)");
     browser.run("$('divider').value = 0.5; $('divider').dispatchEvent(new Event('input'))");
     assert_eq!(browser.text("return $('before').style.clipPath"), "inset(0px 50% 0px 0px)");
+
+    // What is saved has both halves.
+    let saved = browser.picture(
+        "let saved;
+        HTMLAnchorElement.prototype.click = function () { saved = this.href };
+        $('save').click();
+        return saved",
+    );
+    let (before, now) = (browser.canvas("#before"), browser.canvas("#now"));
+    assert_ne!(before, now);
+    for (col, row, pixel) in saved.enumerate_pixels() {
+        let half = if col < 120 { &before } else { &now };
+        assert_eq!(pixel, half.get_pixel(col, row), "({col}, {row})");
+    }
+    assert_eq!(saved.dimensions(), now.dimensions());
 
     // All of it as long as the button is held.
     browser.run("$('divide').click()");

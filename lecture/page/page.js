@@ -753,6 +753,17 @@ function go(step) {
   refresh();
 }
 
+/** The picture as it is seen: with its two halves while it is divided. */
+function seen() {
+  const [now, before] = [$("now"), $("before")];
+  if (!showsBefore()) return now;
+  const both = element("canvas", { width: now.width, height: now.height });
+  const [pen, left] = [both.getContext("2d"), Math.round(now.width * $("divider").value)];
+  pen.drawImage(now, 0, 0);
+  pen.drawImage(before, 0, 0, left, now.height, 0, 0, left, now.height);
+  return both;
+}
+
 /** What writes what is shown into a file. */
 function command() {
   let command = state.command;
@@ -800,11 +811,14 @@ function buttons() {
   $("link").onclick = () => copy(location.href.split("#")[0] + address());
   $("command").onclick = () => copy(command());
   $("save").onclick = () => {
-    const link = element("a", { href: $("now").toDataURL("image/png"), download: `${state.name}.png` });
+    const link = element("a", { href: seen().toDataURL("image/png"), download: `${state.name}.png` });
     link.click();
   };
   document.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.altKey || event.metaKey || !run || /^(INPUT|SELECT)$/.test(event.target.tagName)) return;
+    if (event.ctrlKey || event.altKey || event.metaKey || !run || event.target.tagName === "SELECT") return;
+    if (event.target.tagName === "INPUT" && event.key !== "Escape") return;
+    // Who reads with the keyboard turns the page there, not the step.
+    if (event.key.startsWith("Page") && event.target.closest("#panels")) return;
     if (event.key === "PageDown") go(state.step + 1);
     else if (event.key === "PageUp") go(state.step - 1);
     else if (/^[1-9]$/.test(event.key)) go(Number(event.key));
