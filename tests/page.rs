@@ -440,6 +440,15 @@ fn the_divider_shows_the_step_before() {
     let held = hand(json!([there, {"type": "pointerDown", "button": 0}]));
     assert_eq!(held, json!([false, "inset(0px 0% 0px 0px)"]));
     assert_eq!(hand(json!([{"type": "pointerUp", "button": 0}]))[0], json!(true));
+
+    // To where there is no step before, while a picture with both is drawn quickly.
+    let workers = browser.run("return workers.length");
+    browser.run("$('divide').click()");
+    browser.wait_for(DRAWN);
+    browser.run("stage.cost = 1; moved('orbit 1 0'); go(1)");
+    browser.wait_for(DRAWN);
+    let shown = "return [state.step, $('before').hidden, workers.length]";
+    assert_eq!(browser.run(shown), json!([1, true, workers]));
     quiet(&browser);
 }
 

@@ -123,7 +123,9 @@ class Drawing {
   /** Something has changed. */
   redraw() {
     this.wanted = true;
-    if (!this.busy || !this.made.quick) this.draw(this.moving);
+    // One of other layers is not waited for: there may be no step before any more.
+    const goesOn = this.busy && this.made.quick && String(this.made.layers) === String(this.layers());
+    if (!goesOn) this.draw(this.moving);
   }
 
   draw(quick) {
