@@ -5,15 +5,34 @@ use std::io::BufReader;
 use std::io::Read;
 use std::io::Write;
 use std::net::TcpStream;
+use std::path::Path;
+use std::path::PathBuf;
 use std::process::Child;
 use std::process::Command;
 use std::process::Stdio;
+use std::sync::LazyLock;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use image::RgbImage;
 use serde_json::Value;
 use serde_json::json;
+use tests::root;
+
+/// The page, made once.
+pub(crate) static PAGE: LazyLock<PathBuf> = LazyLock::new(|| {
+    let page = Path::new(env!("CARGO_TARGET_TMPDIR")).join("class.html");
+    let mut make = Command::new(env!("CARGO"));
+    make.current_dir(root()).args(["run", "--quiet", "-p", "lecture", "--", "--page"]).arg(&page);
+    assert!(make.status().expect("cargo runs").success(), "the page is not made");
+    page
+});
+
+/// Waits until the page has drawn its picture: its number, and the milliseconds it took.
+pub(crate) const DRAWN: &str = "(function look() {
+    if (document.body.dataset.drawn) done(document.body.dataset.drawn);
+    else requestAnimationFrame(look);
+})()";
 
 /// Chromium, and the program that drives it.
 pub(crate) struct Browser {

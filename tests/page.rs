@@ -11,14 +11,13 @@ use std::io::BufReader;
 use std::io::Write;
 use std::net::TcpListener;
 use std::path::Path;
-use std::path::PathBuf;
-use std::process::Command;
 use std::sync::Arc;
-use std::sync::LazyLock;
 use std::sync::Mutex;
 use std::thread;
 
 use browser::Browser;
+use browser::DRAWN;
+use browser::PAGE;
 use common::Frame;
 use common::Language;
 use common::Pixel;
@@ -30,20 +29,6 @@ use serde_json::Value;
 use serde_json::json;
 use tests::read_picture;
 use tests::root;
-
-/// The page, made once.
-static PAGE: LazyLock<PathBuf> = LazyLock::new(|| {
-    let page = Path::new(env!("CARGO_TARGET_TMPDIR")).join("class.html");
-    let mut make = Command::new(env!("CARGO"));
-    make.current_dir(root()).args(["run", "--quiet", "-p", "lecture", "--", "--page"]).arg(&page);
-    assert!(make.status().expect("cargo runs").success(), "the page is not made");
-    page
-});
-
-const DRAWN: &str = "(function look() {
-    if (document.body.dataset.drawn) done(document.body.dataset.drawn);
-    else requestAnimationFrame(look);
-})()";
 
 /// The page in a browser of this size, at the address `#…`, when all is drawn.
 fn opened(width: u32, height: u32, address: &str) -> Browser {

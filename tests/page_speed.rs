@@ -7,23 +7,17 @@
 #[expect(dead_code, reason = "what only tests need")]
 mod browser;
 
-use std::path::Path;
-use std::process::Command;
 use std::time::Instant;
 
 use browser::Browser;
+use browser::DRAWN;
+use browser::PAGE;
 use common::Frame;
 use common::Size;
 use lecture::PROGRAMS;
-use tests::root;
 
 const ROUNDS: usize = 20;
 const IN_A_ROW: usize = 10;
-
-const DRAWN: &str = "(function look() {
-    if (document.body.dataset.drawn) done(document.body.dataset.drawn);
-    else requestAnimationFrame(look);
-})()";
 
 /// Draws so many pictures, one as soon as the last one is there, and hands on what each says of its time.
 const REDRAWN: &str = "
@@ -40,7 +34,7 @@ const REDRAWN: &str = "
     redraw()";
 
 /// A browser whose page has so many workers.
-fn opened(page: &Path, workers: usize) -> Browser {
+fn opened(workers: usize) -> Browser {
     let browser = Browser::new(1280, 800);
     browser.before_each_page(&match workers {
         0 => "delete window.Worker".to_owned(),
@@ -48,7 +42,7 @@ fn opened(page: &Path, workers: usize) -> Browser {
             "Object.defineProperty(navigator, 'hardwareConcurrency', {{ get: () => {workers} }})"
         ),
     });
-    browser.open(&format!("file://{}#step07", page.display()));
+    browser.open(&format!("file://{}#step07", PAGE.display()));
     browser.wait_for(DRAWN);
     browser
 }
@@ -79,11 +73,7 @@ fn summary(mut times: Vec<f64>) -> (f64, f64) {
 }
 
 fn main() {
-    let page = Path::new(env!("CARGO_TARGET_TMPDIR")).join("class.html");
-    let mut make = Command::new(env!("CARGO"));
-    make.current_dir(root()).args(["run", "--quiet", "-p", "lecture", "--", "--page"]).arg(&page);
-    assert!(make.status().expect("cargo runs").success(), "the page is not made");
-    let browsers = [0, 1, 2].map(|workers| opened(&page, workers));
+    let browsers = [0, 1, 2].map(opened);
     let mut times = [const { Vec::new() }; 4];
     for _ in 0..ROUNDS {
         times[0].extend(native_times());
