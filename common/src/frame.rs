@@ -127,19 +127,19 @@ pub struct Frame<'a> {
     pub samples: usize,
 }
 
-/// Whether the pixel loop of `step` keeps to the rows that it is asked for.
+/// Whether the pixel loop of `step` keeps to the pixels that the picture has.
 ///
 /// # Errors
 ///
-/// When it does not: what to loop over, in one sentence.
+/// When it does not: where it went, and what to loop over, in one sentence.
 pub fn check_loop(step: &dyn Step) -> Result<(), String> {
-    let mut colors = [Color::ZERO; 3];
-    let mut image = Image::new(3, 4, 2, &mut colors);
-    step.render(&*step.view().camera(3.0 / 4.0), &mut image);
+    let mut colors = [Color::ZERO; 12];
+    let mut image = Image::new(4, 3, 0, &mut colors);
+    step.render(&*step.view().camera(4.0 / 3.0), &mut image);
     image.stray().map_or(Ok(()), |(col, row)| {
         Err(text!(
-            "asked for row 2 of a 3x4 picture, the pixel loop sets column {col} of row {row}: \
-             loop over image.rows() and 0..image.width()",
+            "in a picture of 4x3 pixels, the pixel loop sets column {col} of row {row}: loop over \
+             image.rows() and 0..image.width()",
             col,
             row
         ))
@@ -147,6 +147,15 @@ pub fn check_loop(step: &dyn Step) -> Result<(), String> {
 }
 
 impl Frame<'_> {
+    /// How many rows to [render](Self::render_rows) at a time: one, or all of them where the step's
+    /// loop draws the whole picture whatever rows it is asked for.
+    pub fn rows_at_a_time(&self) -> usize {
+        let mut colors = [Color::ZERO; 2];
+        let mut image = Image::new(2, 2, 1, &mut colors);
+        self.step.render(self.camera, &mut image);
+        if image.beyond() { self.size.height() } else { 1 }
+    }
+
     /// Renders rows into `rgb`, three bytes a pixel, from `first_row` on, as many as fit. When all
     /// are there, [`Step::draw_over`] comes next.
     ///
@@ -157,23 +166,27 @@ impl Frame<'_> {
     ///
     /// When `rgb` reaches below the picture's last row.
     pub fn render_rows(&self, first_row: usize, rgb: &mut [u8]) {
-        let (n, width, height) = (self.samples, self.size.width, self.size.height);
-        let mut colors = vec![Color::ZERO; n * width];
-        // With one sample the colours are the sums.
-        let mut sums = vec![Color::ZERO; if n > 1 { width } else { 0 }];
-        for (row, pixels) in (first_row..).zip(rgb.chunks_exact_mut(3 * width)) {
-            sums.fill(Color::ZERO);
-            for row in n * row..n * (row + 1) {
-                let mut image = Image::new(n * width, n * height, row, &mut colors);
-                self.step.render(self.camera, &mut image);
-                for (sum, colors) in sums.iter_mut().zip(colors.chunks_exact(n)) {
-                    *sum += colors.iter().sum::<Color>();
-                }
+        let (n, width, height) = (self.samples, self.size.width(), self.size.height());
+        let band = self.rows_at_a_time().min(rgb.len() / (3 * width));
+        let mut colors = vec![Color::ZERO; n * width * n * band];
+        let first_rows = (first_row..).step_by(band.max(1));
+        for (row, rgb) in first_rows.zip(rgb.chunks_mut((3 * width * band).max(1))) {
+            let rows = n * rgb.len() / (3 * width);
+            let colors = &mut colors[..n * width * rows];
+            let mut image = Image::new(n * width, n * height, n * row, colors);
+            self.step.render(self.camera, &mut image);
+            for (colors, pixels) in colors.chunks(n * n * width).zip(rgb.chunks_mut(3 * width)) {
+                self.encode_row(colors, pixels);
             }
-            let sums = if n > 1 { &sums } else { &colors };
-            for (pixel, sum) in pixels.chunks_exact_mut(3).zip(sums) {
-                pixel.copy_from_slice(&encode(sum / (n * n) as f32));
-            }
+        }
+    }
+
+    /// Encodes one row of pixels, each the mean of a square of `colors`.
+    fn encode_row(&self, colors: &[Color], pixels: &mut [u8]) {
+        let (n, width) = (self.samples, self.size.width());
+        for (col, pixel) in pixels.chunks_exact_mut(3).enumerate() {
+            let sum: Color = (0..n).flat_map(|row| &colors[n * (row * width + col)..][..n]).sum();
+            pixel.copy_from_slice(&encode(sum / (n * n) as f32));
         }
     }
 

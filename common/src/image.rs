@@ -25,6 +25,7 @@ pub struct Image<'a> {
     height: usize,
     rows: Range<usize>,
     pixels: &'a mut [Color],
+    beyond: bool,
     stray: Option<(usize, usize)>,
 }
 
@@ -38,7 +39,7 @@ impl<'a> Image<'a> {
     pub fn new(width: usize, height: usize, first_row: usize, pixels: &'a mut [Color]) -> Self {
         let rows = first_row..first_row + pixels.len() / width;
         assert!(pixels.len().is_multiple_of(width) && rows.end <= height);
-        Self { width, height, rows, pixels, stray: None }
+        Self { width, height, rows, pixels, beyond: false, stray: None }
     }
 
     /// The width of the whole picture, in pixels.
@@ -68,18 +69,26 @@ impl<'a> Image<'a> {
 
     /// Puts `color` into pixel (col, row).
     ///
-    /// A pixel that is none of [`rows`](Self::rows) or beyond the width stays out of the picture,
-    /// and is the [`stray`](Self::stray).
+    /// A pixel of another band is left to those who draw that: the loop goes [beyond](Self::beyond).
+    /// One that the picture does not have is the [`stray`](Self::stray).
     #[inline]
     pub fn set(&mut self, col: usize, row: usize, color: Color) {
         if col < self.width && self.rows.contains(&row) {
             self.pixels[(row - self.rows.start) * self.width + col] = color;
+        } else if col < self.width && row < self.height {
+            self.beyond = true;
         } else {
             self.stray = Some((col, row));
         }
     }
 
-    /// The (col, row) of the last pixel that was [set](Self::set) although it is not to be filled.
+    /// Whether a pixel was [set](Self::set) that is in the picture, but in none of the
+    /// [`rows`](Self::rows).
+    pub fn beyond(&self) -> bool {
+        self.beyond
+    }
+
+    /// The (col, row) of the last pixel that was [set](Self::set) although the picture has none there.
     pub fn stray(&self) -> Option<(usize, usize)> {
         self.stray
     }

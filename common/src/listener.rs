@@ -1,3 +1,5 @@
+//! Whoever is told what a step computes.
+
 use crate::Color;
 use crate::Ray;
 use crate::Value;
@@ -6,81 +8,110 @@ use crate::Vec3;
 /// Whoever is told what a step computes, where it computes it.
 ///
 /// Each call hands its value back, so that telling stands in the line that computes. With
-/// [`Silent`] the functions of a step draw the picture, with an
-/// [`Explanation`](crate::Explanation) the very same functions explain a pixel of it. Names and
-/// equations are in the slides' symbols.
+/// [`Silent`] the functions of a step draw the picture, with a [`Recorder`](crate::Recorder) the very
+/// same functions explain a pixel of it. Names and equations are in the slides' symbols.
+///
+/// Telling is a tree: what a step tells [about](Self::about) an object or a light ends with the block
+/// that began it.
 pub trait Listener {
-    /// Begins a part of the algorithm, with groups in it. Slide «Algoritmo de ray tracing».
+    /// What is told from here to the end of the block is about a part of the algorithm, an object or
+    /// a light. Keep what it returns until then: `let _about = say.about("intersection");`.
     #[inline]
-    fn section(&mut self, _name: &'static str) {}
+    fn about(&self, name: &'static str) -> About<'_, Self> {
+        self.begin(name);
+        About(self)
+    }
 
-    /// Begins what is told of one object or light.
+    /// A symbol, or both sides of an equation, and its value: a number or a colour.
     #[inline]
-    fn group(&mut self, _name: &'static str) {}
-
-    /// A symbol, or both sides of an equation, and its value.
-    #[inline]
-    fn line<T>(&mut self, _equation: &'static str, value: T) -> T
+    fn line<T>(&self, _equation: &'static str, value: T) -> T
     where
         T: Copy + Into<Value> + TryFrom<Value>,
     {
         value
     }
 
-    /// A word in place of a number, such as the name of what blocks a light.
-    #[inline]
-    fn word(&mut self, _symbol: &'static str, _word: &'static str) {}
-
-    /// Why the object that the group is about is not hit. Always `None`.
-    #[inline]
-    fn miss<T>(&mut self, _why: &'static str, _condition: &'static str) -> Option<T> {
-        None
-    }
-
-    /// The object that the group is about is hit at `t`, closer than all before in this section.
-    #[inline]
-    fn closest(&mut self, _symbol: &'static str, t: f32) -> f32 {
-        t
-    }
-
     /// A point of the world.
     #[inline]
-    fn point(&mut self, _equation: &'static str, at: Vec3) -> Vec3 {
+    fn point(&self, _equation: &'static str, at: Vec3) -> Vec3 {
         at
     }
 
     /// The point r(t) of `ray`, given by its `t`.
     #[inline]
-    fn along(&mut self, _equation: &'static str, _ray: &Ray, t: f32) -> f32 {
+    fn along(&self, _equation: &'static str, _ray: &Ray, t: f32) -> f32 {
         t
     }
 
     /// A direction, and the point `from` that it starts from.
     #[inline]
-    fn arrow(&mut self, _equation: &'static str, _from: Vec3, direction: Vec3) -> Vec3 {
+    fn arrow(&self, _equation: &'static str, _from: Vec3, direction: Vec3) -> Vec3 {
         direction
     }
 
-    /// The direction of `ray`, which is followed from t = 0 to `t`; ∞ where its end is not known.
-    #[inline]
-    fn ray(&mut self, _equation: &'static str, _ray: &Ray, _t: f32) {}
-
     /// A weight that is the share of the triangle `corners` in a larger one.
     #[inline]
-    fn area(&mut self, _equation: &'static str, _corners: [Vec3; 3], weight: f32) -> f32 {
+    fn area(&self, _equation: &'static str, _corners: [Vec3; 3], weight: f32) -> f32 {
         weight
+    }
+
+    /// The ray r(t) = p + t d through the pixel. Slide «Raios».
+    #[inline]
+    fn viewing_ray(&self, ray: Ray) -> Ray {
+        ray
+    }
+
+    /// The ray from a point, t = 0, to a light, t = 1, and what blocks it: its name and the t of the
+    /// hit. Whether the light is blocked; `symbol` is 0 then, and 1 where it is not. Slide «Sombras».
+    #[inline]
+    fn shadow_ray(
+        &self, _symbol: &'static str, _ray: &Ray, blocker: Option<(&'static str, f32)>,
+    ) -> bool {
+        blocker.is_some()
+    }
+
+    /// Why the object that is told about is not hit. Always `None`.
+    #[inline]
+    fn miss<T>(&self, _why: &'static str, _condition: &'static str) -> Option<T> {
+        None
+    }
+
+    /// The object that is told about is hit at `t`, closer than all before it.
+    #[inline]
+    fn closest(&self, _symbol: &'static str, t: f32) -> f32 {
+        t
     }
 
     /// Light that is added to a sum.
     #[inline]
-    fn term(&mut self, _equation: &'static str, light: Color) -> Color {
+    fn term(&self, _equation: &'static str, light: Color) -> Color {
         light
     }
 
-    /// The sum of all that were [terms](Self::term).
+    /// The sum of all [terms](Self::term) told in the block that tells it, and in the blocks within.
     #[inline]
-    fn sum(&mut self, _symbol: &'static str, total: Color) -> Color {
+    fn sum(&self, _symbol: &'static str, total: Color) -> Color {
         total
+    }
+
+    /// What [`about`](Self::about) begins with.
+    #[inline]
+    fn begin(&self, _name: &'static str) {}
+
+    /// What the block of [`about`](Self::about) ends with.
+    #[inline]
+    fn end(&self) {}
+}
+
+/// A block that is about one thing; it ends where this goes out of scope.
+#[derive(Debug)]
+#[must_use = "what is told is about it only as long as this is kept: let _about = …"]
+pub struct About<'a, L: Listener + ?Sized>(&'a L);
+
+impl<L: Listener + ?Sized> Drop for About<'_, L> {
+    #[inline]
+    fn drop(&mut self) {
+        self.0.end();
     }
 }
 

@@ -3,11 +3,11 @@
 pub use crate::Camera;
 pub use crate::Color;
 pub use crate::Controls;
-pub use crate::Explanation;
 pub use crate::Image;
 pub use crate::Listener;
 pub use crate::Pixel;
 pub use crate::Ray;
+pub use crate::Recorder;
 pub use crate::Silent;
 pub use crate::Step;
 pub use crate::Vec3;

@@ -52,7 +52,8 @@ static SRGB: LazyLock<Srgb> = LazyLock::new(Srgb::new);
 
 /// The 8-bit sRGB code of a linear colour: clamped to [0, 1], encoded, rounded to the nearest.
 ///
-/// A channel that is not a number becomes 0.
+/// What cannot be a picture becomes black here, and nowhere before: a channel that is not a number, as
+/// the light's direction is not in the light itself, is 0.
 #[inline]
 pub fn encode(color: Color) -> [u8; 3] {
     let srgb = &*SRGB;

@@ -5,6 +5,7 @@ use crate::Controls;
 use crate::Explanation;
 use crate::Image;
 use crate::Pixel;
+use crate::Recorder;
 use crate::View;
 
 /// What a step of the lecture hands to the window, to the command line and to the tests.
@@ -21,7 +22,7 @@ pub trait Step: Sync {
 
     /// Tells `say` how `pixel` comes by its colour, which it gives back: what the functions that
     /// [`render`](Self::render) runs tell.
-    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &mut Explanation) -> Color;
+    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color;
 
     /// Draws over the finished picture that `camera` sees: a figure's words and lines. A lesson's
     /// picture is left as it was rendered.
@@ -29,8 +30,8 @@ pub trait Step: Sync {
 
     /// How `pixel` comes by its colour.
     fn explain(&self, camera: &dyn Camera, pixel: Pixel) -> Explanation {
-        let mut explanation = Explanation::new(pixel);
-        let color = self.tell(camera, pixel, &mut explanation);
-        explanation.seen(color)
+        let recorder = Recorder::new(pixel);
+        let color = self.tell(camera, pixel, &recorder);
+        recorder.finish(color)
     }
 }

@@ -8,7 +8,9 @@ use common::Explanation;
 use common::Frame;
 use common::Language;
 use common::Outcome;
+use common::Part;
 use common::Pixel;
+use common::Scope;
 use common::Size;
 use common::Value;
 use common::View;
@@ -413,28 +415,25 @@ fn pixel_of(text: &str, size: Size) -> Result<Pixel, String> {
     }
 }
 
-/// A line for each section, group and line of `explanation`, and one for the colour that is seen. What
+/// A line for each section, thing and line of `explanation`, and one for the colour that is seen. What
 /// is shown is in the language that is spoken; what it is found by is not.
 fn lines(explanation: &Explanation) -> String {
-    let texts = |value: &Value| value.texts().join("\t");
     let mut lines = String::new();
-    for section in &explanation.sections {
+    for section in explanation.told.scopes() {
         let _ = writeln!(lines, "section\t{}\t{}", section.name, translated(section.name));
-        for group in &section.groups {
-            let outcome = match group.outcome {
-                Outcome::Told => String::new(),
-                Outcome::Missed(why, condition) => {
-                    format!("{}: {}", translated(why), translated(condition))
-                }
-                Outcome::Closest(t) | Outcome::Farther(t) => {
-                    format!("t ={}", Value::Number(t))
-                }
-            };
-            let (name, open) = (group.name, u8::from(group.is_open()));
-            let shown = if name.is_empty() { "" } else { translated(name) };
-            let _ = writeln!(lines, "group\t{name}\t{shown}\t{open}\t{outcome}");
-            for line in &group.lines {
-                let (symbol, value) = (line.symbol(), texts(&line.value));
+        lines.push_str("group\t\t\t1\t\n");
+        write_parts(&mut lines, section);
+    }
+    let [r, g, b] = encode(explanation.color);
+    let _ = writeln!(lines, "seen\t{r}\t{g}\t{b}");
+    lines
+}
+
+fn write_parts(lines: &mut String, scope: &Scope) {
+    for part in &scope.parts {
+        match part {
+            Part::Line(line) => {
+                let (symbol, value) = (line.symbol(), line.value.texts().join("\t"));
                 let ink = symbol_ink(symbol).map_or(String::new(), |ink| {
                     let [r, g, b] = ink.rgb;
                     format!("#{r:02x}{g:02x}{b:02x}")
@@ -442,9 +441,20 @@ fn lines(explanation: &Explanation) -> String {
                 let (equation, shown) = (line.equation, translated(line.equation));
                 let _ = writeln!(lines, "line\t{equation}\t{shown}\t{symbol}\t{ink}\t{value}");
             }
+            Part::Scope(inner) => {
+                let outcome = match inner.outcome {
+                    Outcome::Told => String::new(),
+                    Outcome::Missed(why, condition) => {
+                        format!("{}: {}", translated(why), translated(condition))
+                    }
+                    Outcome::Closest(t) | Outcome::Farther(t) => {
+                        format!("t ={}", Value::Number(t))
+                    }
+                };
+                let (name, open) = (inner.name, u8::from(inner.is_open()));
+                let _ = writeln!(lines, "group\t{name}\t{}\t{open}\t{outcome}", translated(name));
+                write_parts(lines, inner);
+            }
         }
     }
-    let [r, g, b] = encode(explanation.color);
-    let _ = writeln!(lines, "seen\t{r}\t{g}\t{b}");
-    lines
 }

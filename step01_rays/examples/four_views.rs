@@ -36,7 +36,7 @@ impl Step for Seen {
         self.lesson.render(&*camera, image);
     }
 
-    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &mut Explanation) -> Color {
+    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color {
         let camera = self.camera(camera, pixel.width, pixel.height);
         self.lesson.tell(&*camera, pixel, say)
     }

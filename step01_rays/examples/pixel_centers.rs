@@ -3,8 +3,9 @@ use common::Ink;
 use common::prelude::*;
 use show::Figure;
 use show::Sketch;
+use show::told;
 use step01_rays::Lesson;
-use step01_rays::render::pixel_center;
+use step01_rays::render::viewing_ray;
 
 const WIDTH: usize = 4;
 const HEIGHT: usize = 2;
@@ -21,7 +22,7 @@ fn render(lesson: &Lesson, camera: &dyn Camera, image: &mut Image<'_>) {
     }
 }
 
-fn draw(_: &Lesson, sketch: &mut Sketch<'_>) {
+fn draw(lesson: &Lesson, sketch: &mut Sketch<'_>) {
     let (stroke, size) = (sketch.stroke, sketch.size);
     for col in 1..WIDTH {
         let u = col as f32 / WIDTH as f32;
@@ -33,7 +34,11 @@ fn draw(_: &Lesson, sketch: &mut Sketch<'_>) {
     }
     for row in 0..HEIGHT {
         for col in 0..WIDTH {
-            let (u, v) = pixel_center(Pixel { col, row, width: WIDTH, height: HEIGHT });
+            let pixel = Pixel { col, row, width: WIDTH, height: HEIGHT };
+            let camera = lesson.view().camera(WIDTH as f32 / HEIGHT as f32);
+            let Some([u, v]) = told(["u", "v"], |say| viewing_ray(&*camera, pixel, say)) else {
+                continue;
+            };
             let (x, y) = sketch.at(u, v);
             sketch.canvas.disc((x, y), 3.0 * stroke, Ink::WHITE);
             sketch.text((x, y - 1.6 * size), Ink::WHITE, &format!("({col}, {row})"));

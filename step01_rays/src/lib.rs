@@ -1,13 +1,15 @@
 #![doc = env!("CARGO_PKG_DESCRIPTION")]
 
+pub mod controls;
 pub mod render;
 
 use common::prelude::*;
 
+use crate::controls::controls;
 use crate::render::render;
 use crate::render::viewing_ray;
 
-/// What this step shows, and what can be changed in it.
+/// What this step shows.
 #[derive(Clone, Debug)]
 pub struct Lesson {
     pub shown: Shown,
@@ -27,7 +29,8 @@ impl Default for Lesson {
 
 impl Lesson {
     /// The colour seen along `ray`.
-    pub fn trace(&self, ray: &Ray, say: &mut impl Listener) -> Color {
+    pub fn trace(&self, ray: &Ray, say: &impl Listener) -> Color {
+        let _about = say.about("color");
         match self.shown {
             Shown::Direction => say.line("L = ½ + d/2", 0.5 + ray.direction / 2.0),
             Shown::Origin => say.line("L = ½ + p/6", 0.5 + ray.origin / 6.0),
@@ -41,17 +44,14 @@ impl Step for Lesson {
     }
 
     fn controls(&mut self) -> Controls<'_> {
-        let shown = [("direction", Shown::Direction), ("origin", Shown::Origin)];
-        let mut controls = Controls::new();
-        controls.choice("shown", shown, &mut self.shown);
-        controls
+        controls(self)
     }
 
     fn render(&self, camera: &dyn Camera, image: &mut Image<'_>) {
-        render(camera, image, |ray| self.trace(ray, &mut Silent));
+        render(camera, image, |ray| self.trace(ray, &Silent));
     }
 
-    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &mut Explanation) -> Color {
+    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color {
         let ray = viewing_ray(camera, pixel, say);
         self.trace(&ray, say)
     }

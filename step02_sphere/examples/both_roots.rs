@@ -27,7 +27,7 @@ fn panel(
         .panel(label, |_| ())
         .render(move |lesson, camera, image| {
             render(camera, image, |ray| {
-                let sphere = |say: &mut _| lesson.sphere.intersect(ray, 0.0, f32::INFINITY, say);
+                let sphere = |say: &_| lesson.sphere.intersect(ray, 0.0, f32::INFINITY, say);
                 told(["t₁", "t₂"], sphere).map_or(MISSED, |roots| color(number(roots)))
             });
         })

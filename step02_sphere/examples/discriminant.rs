@@ -8,8 +8,8 @@ use step02_sphere::Lesson;
 
 fn render(lesson: &Lesson, camera: &dyn Camera, image: &mut Image<'_>) {
     step02_sphere::render::render(camera, image, |ray| {
-        let sphere = |say: &mut _| lesson.sphere.intersect(ray, 0.0, f32::INFINITY, say);
-        match told(["discriminant"], sphere) {
+        let sphere = |say: &_| lesson.sphere.intersect(ray, 0.0, f32::INFINITY, say);
+        match told(["D"], sphere) {
             Some([d]) if d.abs() < 0.02 => Color::ONE,
             Some([d]) if d > 0.0 => Color::new(0.02, 0.05, 0.1 + d / 2.0),
             Some([d]) => Color::new(0.1 - d / 3.0, 0.02, 0.02),
@@ -27,7 +27,7 @@ fn figure() -> Figure<Lesson> {
     Figure::new(Lesson::default(), 2)
         .aspect(1.0)
         .controls(&["radius", "center.x", "center.y", "center.z"])
-        .panel("b² − a c, white near 0", |_| ())
+        .panel("D, white near 0", |_| ())
         .render(render)
         .draw(draw)
         .panel("hit or miss", |_| ())

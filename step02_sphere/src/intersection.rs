@@ -1,8 +1,7 @@
 //! What is known of a hit.
 use common::prelude::*;
 
-/// Where a ray meets a surface: t in units of |d|, the point r(t), and the unit normal there.
-/// Slide «Intersecção de raios em software».
+/// A hit: t in units of |d|, the point r(t), the unit normal. Slide «Intersecção de raios em software».
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IntersectionRecord {
     pub t: f32,

@@ -1,16 +1,18 @@
 #![doc = env!("CARGO_PKG_DESCRIPTION")]
 
+pub mod controls;
 pub mod intersection;
 pub mod render;
 pub mod sphere;
 
 use common::prelude::*;
 
+use crate::controls::controls;
 use crate::render::render;
 use crate::render::viewing_ray;
 use crate::sphere::Sphere;
 
-/// What this step shows, and what can be changed in it.
+/// What this step shows.
 #[derive(Clone, Debug)]
 pub struct Lesson {
     pub sphere: Sphere,
@@ -24,8 +26,8 @@ impl Default for Lesson {
 
 impl Lesson {
     /// The colour seen along `ray`.
-    pub fn trace(&self, ray: &Ray, say: &mut impl Listener) -> Color {
-        say.section("intersection");
+    pub fn trace(&self, ray: &Ray, say: &impl Listener) -> Color {
+        let _about = say.about("intersection");
         let hit = self.sphere.intersect(ray, 0.0, f32::INFINITY, say);
         if hit.is_some() { Color::ONE } else { Color::ZERO }
     }
@@ -37,17 +39,14 @@ impl Step for Lesson {
     }
 
     fn controls(&mut self) -> Controls<'_> {
-        let mut controls = Controls::new();
-        controls.number("radius", 0.1..=2.0, &mut self.sphere.radius);
-        controls.point("center", -3.0..=3.0, &mut self.sphere.center);
-        controls
+        controls(self)
     }
 
     fn render(&self, camera: &dyn Camera, image: &mut Image<'_>) {
-        render(camera, image, |ray| self.trace(ray, &mut Silent));
+        render(camera, image, |ray| self.trace(ray, &Silent));
     }
 
-    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &mut Explanation) -> Color {
+    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color {
         let ray = viewing_ray(camera, pixel, say);
         self.trace(&ray, say)
     }

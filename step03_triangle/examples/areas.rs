@@ -13,7 +13,7 @@ const RAY: Ray = Ray::new(Vec3::new(0.2, -0.2, 3.0), Vec3::NEG_Z);
 
 fn label(lesson: &Lesson) -> String {
     let triangle = Triangle::new(lesson.vertices);
-    let solve = |say: &mut _| triangle.solve(&RAY, 0.0, f32::INFINITY, say);
+    let solve = |say: &_| triangle.solve(&RAY, 0.0, f32::INFINITY, say);
     told(["α", "β", "γ"], solve).map_or_else(String::new, |[alpha, beta, gamma]| {
         let [alpha, beta, gamma] = [alpha, beta, gamma].map(|weight| format!("{weight:.2}"));
         text!("α = {alpha}, β = {beta}, γ = {gamma} of the whole area", alpha, beta, gamma)
@@ -29,13 +29,12 @@ fn draw(lesson: &Lesson, sketch: &mut Sketch<'_>) {
 }
 
 fn figure() -> Figure<Lesson> {
-    // Black under the areas' own colours.
-    let lesson = Lesson { shown: Color::ZERO, ..Lesson::default() };
-    Figure::new(lesson, 1)
+    Figure::new(Lesson::default(), 1)
         .aspect(1.9)
         .controls(&["a.x", "a.y", "b.x", "b.y", "c.x", "c.y"])
         .panel("", |_| ())
         .label(label)
+        .render(|_, _, _| ())
         .draw(draw)
 }
 

@@ -4,6 +4,7 @@ use common::prelude::*;
 use show::Figure;
 use show::Sketch;
 use step03_triangle::Lesson;
+use step03_triangle::render::render;
 
 /// Draws the lines where one weight is 0, ¼ … 1, and names the vertices.
 fn draw(lesson: &Lesson, index: usize, sketch: &mut Sketch<'_>) {
@@ -26,10 +27,13 @@ fn figure() -> Figure<Lesson> {
         .aspect(1.0)
         .view(View::new(Vec3::new(0.0, 0.0, 5.6), Vec3::ZERO, 45.0))
         .controls(&["a.x", "a.y", "b.x", "b.y", "c.x", "c.y"]);
-    let weights = [("α", Color::X), ("β", Color::Y), ("γ", Color::Z)];
-    weights.into_iter().enumerate().fold(figure, |figure, (index, (name, shown))| {
+    ["α", "β", "γ"].into_iter().enumerate().fold(figure, |figure, (index, name)| {
         figure
-            .panel(name, move |lesson| lesson.shown = shown)
+            .panel(name, |_| ())
+            .render(move |lesson, camera, image| {
+                let shown = |ray: &Ray| Color::AXES[index] * lesson.trace(ray, &Silent);
+                render(camera, image, shown);
+            })
             .draw(move |lesson, sketch| draw(lesson, index, sketch))
     })
 }

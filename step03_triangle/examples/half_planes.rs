@@ -28,7 +28,7 @@ fn panel(figure: Figure<Lesson>, (label, named): (&str, &'static [usize])) -> Fi
         .render(move |lesson, camera, image| {
             let triangle = Triangle::new(lesson.vertices);
             render(camera, image, |ray| {
-                let solve = |say: &mut _| triangle.solve(ray, 0.0, f32::INFINITY, say);
+                let solve = |say: &_| triangle.solve(ray, 0.0, f32::INFINITY, say);
                 match told(["α", "β", "γ"], solve) {
                     Some(weights) if named.iter().all(|index| weights[*index] > 0.0) => color,
                     _ => Color::splat(0.03),

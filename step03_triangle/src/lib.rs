@@ -1,5 +1,6 @@
 #![doc = env!("CARGO_PKG_DESCRIPTION")]
 
+pub mod controls;
 pub mod intersection;
 pub mod render;
 pub mod sphere;
@@ -7,35 +8,32 @@ pub mod triangle;
 
 use common::prelude::*;
 
+use crate::controls::controls;
 use crate::render::render;
 use crate::render::viewing_ray;
 use crate::triangle::Solution;
 use crate::triangle::Triangle;
 
-/// What this step shows, and what can be changed in it.
+/// What this step shows.
 #[derive(Clone, Debug)]
 pub struct Lesson {
+    /// a, b and c.
     pub vertices: [Vec3; 3],
-    /// Which of α, β and γ are shown, as red, green and blue.
-    pub shown: Color,
 }
 
 impl Default for Lesson {
     fn default() -> Self {
         let vertices = [[-1.2, -0.8, 0.0], [1.2, -0.8, 0.0], [0.0, 1.0, 0.0]];
-        Self { vertices: vertices.map(Vec3::from), shown: Color::ONE }
+        Self { vertices: vertices.map(Vec3::from) }
     }
 }
 
 impl Lesson {
     /// The colour seen along `ray`.
-    pub fn trace(&self, ray: &Ray, say: &mut impl Listener) -> Color {
-        say.section("intersection");
-        let triangle = Triangle::new(self.vertices);
-        match triangle.solve(ray, 0.0, f32::INFINITY, say) {
-            Some(Solution { alpha, beta, gamma, .. }) => {
-                self.shown * Color::new(alpha, beta, gamma)
-            }
+    pub fn trace(&self, ray: &Ray, say: &impl Listener) -> Color {
+        let _about = say.about("intersection");
+        match Triangle::new(self.vertices).solve(ray, 0.0, f32::INFINITY, say) {
+            Some(Solution { alpha, beta, gamma, .. }) => Color::new(alpha, beta, gamma),
             None => Color::ZERO,
         }
     }
@@ -47,22 +45,14 @@ impl Step for Lesson {
     }
 
     fn controls(&mut self) -> Controls<'_> {
-        let mut controls = Controls::new();
-        let shown =
-            [("all", Color::ONE), ("alpha", Color::X), ("beta", Color::Y), ("gamma", Color::Z)];
-        let [a, b, c] = &mut self.vertices;
-        controls.choice("shown", shown, &mut self.shown);
-        controls.point("a", -3.0..=3.0, a);
-        controls.point("b", -3.0..=3.0, b);
-        controls.point("c", -3.0..=3.0, c);
-        controls
+        controls(self)
     }
 
     fn render(&self, camera: &dyn Camera, image: &mut Image<'_>) {
-        render(camera, image, |ray| self.trace(ray, &mut Silent));
+        render(camera, image, |ray| self.trace(ray, &Silent));
     }
 
-    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &mut Explanation) -> Color {
+    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color {
         let ray = viewing_ray(camera, pixel, say);
         self.trace(&ray, say)
     }

@@ -15,7 +15,7 @@ fn shown(
 ) -> impl Fn(&Lesson, &dyn Camera, &mut Image<'_>) {
     move |lesson, camera, image| {
         render(camera, image, |ray| {
-            let hit = lesson.scene.intersect(ray, 0.0, f32::INFINITY, &mut Silent);
+            let hit = lesson.scene.intersect(ray, 0.0, f32::INFINITY, &Silent);
             hit.map_or(Color::ZERO, |(record, _)| color(record))
         });
     }

@@ -25,11 +25,11 @@ fn object_order(lesson: &Lesson, camera: &dyn Camera, image: &mut Image<'_>, par
         for row in image.rows() {
             for col in 0..image.width() {
                 let t = &mut nearest[(row - image.rows().start) * image.width() + col];
-                let ray = viewing_ray(camera, image.pixel(col, row), &mut Silent);
+                let ray = viewing_ray(camera, image.pixel(col, row), &Silent);
                 tests += 1;
-                if let Some(record) = object.surface.intersect(&ray, 0.0, *t, &mut Silent) {
+                if let Some(record) = object.surface.intersect(&ray, 0.0, *t, &Silent) {
                     *t = record.t;
-                    image.set(col, row, object.material);
+                    image.set(col, row, object.color);
                 }
             }
         }
@@ -49,12 +49,12 @@ fn image_order(lesson: &Lesson, camera: &dyn Camera, image: &mut Image<'_>, part
             }
             image.set(col, row, lesson.scene.background);
             let mut nearest = f32::INFINITY;
-            let ray = viewing_ray(camera, image.pixel(col, row), &mut Silent);
+            let ray = viewing_ray(camera, image.pixel(col, row), &Silent);
             for object in &lesson.scene.objects {
                 tests += 1;
-                if let Some(record) = object.surface.intersect(&ray, 0.0, nearest, &mut Silent) {
+                if let Some(record) = object.surface.intersect(&ray, 0.0, nearest, &Silent) {
                     nearest = record.t;
-                    image.set(col, row, object.material);
+                    image.set(col, row, object.color);
                 }
             }
         }

@@ -1,6 +1,8 @@
 #![doc = env!("CARGO_PKG_DESCRIPTION")]
 
+pub mod controls;
 pub mod intersection;
+pub mod lecture_scene;
 pub mod render;
 pub mod scene;
 pub mod sphere;
@@ -9,13 +11,13 @@ pub mod triangle;
 
 use common::prelude::*;
 
+use crate::controls::controls;
+use crate::lecture_scene::lecture_scene;
 use crate::render::render;
 use crate::render::viewing_ray;
 use crate::scene::Scene;
-use crate::scene::lecture_scene;
-use crate::surface::Surface;
 
-/// What this step shows, and what can be changed in it.
+/// What this step shows.
 #[derive(Clone, Debug)]
 pub struct Lesson {
     pub scene: Scene,
@@ -29,7 +31,7 @@ impl Default for Lesson {
 
 impl Lesson {
     /// The colour seen along `ray`.
-    pub fn trace(&self, ray: &Ray, say: &mut impl Listener) -> Color {
+    pub fn trace(&self, ray: &Ray, say: &impl Listener) -> Color {
         self.scene.trace(ray, 0.0, f32::INFINITY, say)
     }
 }
@@ -40,22 +42,14 @@ impl Step for Lesson {
     }
 
     fn controls(&mut self) -> Controls<'_> {
-        let mut controls = Controls::new();
-        for object in &mut self.scene.objects {
-            if let Surface::Sphere(sphere) = &mut object.surface {
-                controls.group_of("scene", "sphere", object.name);
-                controls.point("center", -3.0..=3.0, &mut sphere.center);
-                controls.number("radius", 0.1..=2.0, &mut sphere.radius);
-            }
-        }
-        controls
+        controls(self)
     }
 
     fn render(&self, camera: &dyn Camera, image: &mut Image<'_>) {
-        render(camera, image, |ray| self.trace(ray, &mut Silent));
+        render(camera, image, |ray| self.trace(ray, &Silent));
     }
 
-    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &mut Explanation) -> Color {
+    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color {
         let ray = viewing_ray(camera, pixel, say);
         self.trace(&ray, say)
     }

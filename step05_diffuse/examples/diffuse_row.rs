@@ -13,7 +13,7 @@ fn figure() -> Figure<Lesson> {
     let figure = Figure::new(lesson, 5)
         .aspect(1.0)
         .view(View::new(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, 28.0))
-        .controls(&["light.x", "light.y", "light.z", "I", "attenuation"]);
+        .controls(&["light.x", "light.y", "light.z", "I"]);
     [0.2, 0.4, 0.6, 0.8, 1.0].into_iter().fold(figure, |figure, k_d| {
         figure.panel(format!("k_d = {k_d}"), move |lesson| {
             lesson.scene.objects[0].material.k_d = k_d * Color::new(0.85, 0.7, 0.5);

@@ -36,11 +36,11 @@ fn rays(lesson: &Lesson) -> Vec<(Vec3, Vec3, Option<f32>)> {
     let shine = |index: i16| {
         let start = Vec3::new((f32::from(index) + 0.5) / 4.0, 2.2, 0.0);
         let ray = Ray::new(start, Vec3::NEG_Y);
-        let (record, object) = lesson.scene.intersect(&ray, 0.0, f32::INFINITY, &mut Silent)?;
-        let n_dot_l =
-            told(["n·l"], |say| object.material.shade(&ray, &record, &lesson.scene.light, say));
+        let (record, object) = lesson.scene.intersect(&ray, 0.0, f32::INFINITY, &Silent)?;
+        let (point, normal, light) = (record.point, record.normal, &lesson.scene.light);
+        let n_dot_l = told(["n·l"], |say| object.material.shade(&ray, point, normal, light, say));
         let top = n_dot_l.map(|[n_dot_l]| n_dot_l).filter(|_| object.name == TOP);
-        Some((start, record.point, top))
+        Some((start, point, top))
     };
     (-6..6).filter_map(shine).collect()
 }
@@ -63,15 +63,13 @@ fn label(lesson: &Lesson) -> String {
 fn figure() -> Figure<Lesson> {
     let mut lesson = Lesson::default();
     let light = &mut lesson.scene.light;
-    // So far away that its rays are parallel.
+    // So far away that its rays are parallel and I/r² is 1 everywhere.
     light.position = Vec3::new(0.0, 1e4, 0.0);
-    light.intensity = 1.0;
-    light.attenuation = false;
+    light.intensity = 1e8;
     Figure::new(lesson, 2)
         .aspect(1.25)
         .view(View::new(Vec3::new(2.0, 4.0, 8.0), Vec3::new(0.0, 0.35, 0.0), 27.0))
         .slider("angle", 0.0..=90.0, 60.0, |lesson, degrees, _| turn(lesson, degrees))
-        .controls(&["I"])
         .panel("", |lesson| turn(lesson, 0.0))
         .label(label)
         .draw(draw)

@@ -4,7 +4,7 @@ use step06_shadows::Lesson;
 
 fn figure() -> Figure<Lesson> {
     Figure::new(Lesson::default(), 2)
-        .controls(&["epsilon", "lights", "light.x", "light.y", "light.z"])
+        .controls(&["epsilon", "light.x", "light.y", "light.z"])
         .panel("ε = 0", |lesson| lesson.scene.epsilon = 0.0)
         .panel("with ε", |_| ())
 }

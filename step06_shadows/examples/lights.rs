@@ -10,25 +10,24 @@ fn add_camera_light(lesson: &mut Lesson, intensity: f32, camera: &dyn Camera) {
         name: "camera light",
         position: camera.generate_ray(0.5, 0.5).origin,
         intensity,
-        attenuation: true,
     });
 }
 
 fn figure() -> Figure<Lesson> {
-    let light = |lit, ambient| {
+    let light = |lights, ambient| {
         move |lesson: &mut Lesson| {
-            lesson.scene.lit = lit;
+            lesson.scene.lights.truncate(lights);
             lesson.scene.ambient = ambient;
         }
     };
     Figure::new(Lesson::default(), 2)
         .slider("camera_light", 0.0..=50.0, 8.0, add_camera_light)
-        .controls(&["light.x", "light.y", "light.z", "I", "shadows"])
+        .controls(&["light.x", "light.y", "light.z", "I"])
         .panel("one light", light(1, 0.0))
         .panel("two lights", light(2, 0.0))
         .panel("one light and ambient", light(1, 1.0))
-        .panel("one light, and one at the camera", move |lesson| {
-            light(2, 0.0)(lesson);
+        .panel("one light, and one at the camera", |lesson| {
+            lesson.scene.ambient = 0.0;
             lesson.scene.lights.remove(1);
         })
 }

@@ -8,9 +8,9 @@ use step06_shadows::render::render;
 fn mask(named: &'static [usize]) -> impl Fn(&Lesson, &dyn Camera, &mut Image<'_>) {
     move |Lesson { scene }, camera, image| {
         render(camera, image, |ray| {
-            let hit = scene.intersect(ray, 0.0, f32::INFINITY, &mut Silent);
+            let hit = scene.intersect(ray, 0.0, f32::INFINITY, &Silent);
             hit.map_or(scene.background, |(record, _)| {
-                let sees = |light| scene.is_visible(light, record.point, &mut Silent);
+                let sees = |light| !scene.is_blocked(record.point, light, &Silent);
                 let seen = named.iter().filter(|index| sees(&scene.lights[**index]));
                 Color::splat(seen.count() as f32 / named.len() as f32)
             })

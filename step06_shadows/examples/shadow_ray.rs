@@ -17,7 +17,7 @@ fn draw(lesson: &Lesson, sketch: &mut Sketch<'_>, x: f32, z: f32) {
 
 fn figure() -> Figure<Lesson> {
     let mut lesson = Lesson::default();
-    lesson.scene.lit = 1;
+    lesson.scene.lights.truncate(1);
     lesson.scene.lights[0].position = Vec3::new(2.6, 2.0, 1.5);
     lesson.scene.lights[0].intensity = 5.0;
     Figure::new(lesson, 2)

@@ -1,6 +1,8 @@
 #![doc = env!("CARGO_PKG_DESCRIPTION")]
 
+pub mod controls;
 pub mod intersection;
+pub mod lecture_scene;
 pub mod light;
 pub mod material;
 pub mod render;
@@ -11,13 +13,13 @@ pub mod triangle;
 
 use common::prelude::*;
 
+use crate::controls::controls;
+use crate::lecture_scene::lecture_scene;
 use crate::render::render;
 use crate::render::viewing_ray;
 use crate::scene::Scene;
-use crate::scene::lecture_scene;
-use crate::surface::Surface;
 
-/// What this step shows, and what can be changed in it.
+/// What this step shows.
 #[derive(Clone, Debug)]
 pub struct Lesson {
     pub scene: Scene,
@@ -31,7 +33,7 @@ impl Default for Lesson {
 
 impl Lesson {
     /// The colour seen along `ray`.
-    pub fn trace(&self, ray: &Ray, say: &mut impl Listener) -> Color {
+    pub fn trace(&self, ray: &Ray, say: &impl Listener) -> Color {
         self.scene.trace(ray, 0.0, f32::INFINITY, say)
     }
 }
@@ -42,37 +44,14 @@ impl Step for Lesson {
     }
 
     fn controls(&mut self) -> Controls<'_> {
-        let mut controls = Controls::new();
-        for object in &mut self.scene.objects {
-            if let Surface::Sphere(sphere) = &mut object.surface {
-                controls.group_of("scene", "sphere", object.name);
-                controls.point("center", -3.0..=3.0, &mut sphere.center);
-                controls.number("radius", 0.1..=2.0, &mut sphere.radius);
-                controls.group_of("diffuse reflection", "sphere", object.name);
-                controls.brightness("k_d", 0.05..=1.0, &mut object.material.k_d);
-                controls.group_of("shadows, lights, ambient", "sphere", object.name);
-                controls.brightness("k_a", 0.01..=1.0, &mut object.material.k_a);
-            }
-        }
-        controls.group("shadows, lights, ambient");
-        controls.number("I_a", 0.0..=5.0, &mut self.scene.ambient);
-        controls.switch("shadows", &mut self.scene.shadows);
-        controls.logarithmic("epsilon", 0.0..=0.1, &mut self.scene.epsilon);
-        controls.count("lights", 0..=self.scene.lights.len(), &mut self.scene.lit);
-        for light in &mut self.scene.lights {
-            controls.group_of("diffuse reflection", "light", light.name);
-            controls.point("light", -10.0..=10.0, &mut light.position);
-            controls.number("I", 0.0..=200.0, &mut light.intensity);
-            controls.switch("attenuation", &mut light.attenuation);
-        }
-        controls
+        controls(self)
     }
 
     fn render(&self, camera: &dyn Camera, image: &mut Image<'_>) {
-        render(camera, image, |ray| self.trace(ray, &mut Silent));
+        render(camera, image, |ray| self.trace(ray, &Silent));
     }
 
-    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &mut Explanation) -> Color {
+    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color {
         let ray = viewing_ray(camera, pixel, say);
         self.trace(&ray, say)
     }

@@ -14,9 +14,8 @@ pub enum Surface {
 
 impl Surface {
     /// The first hit with t_min < t < t_max; `None` when there is none.
-    #[inline]
     pub fn intersect(
-        &self, ray: &Ray, t_min: f32, t_max: f32, say: &mut impl Listener,
+        &self, ray: &Ray, t_min: f32, t_max: f32, say: &impl Listener,
     ) -> Option<IntersectionRecord> {
         match self {
             Self::Sphere(sphere) => sphere.intersect(ray, t_min, t_max, say),

@@ -4,8 +4,10 @@ use step07_specular::Lesson;
 
 fn figure() -> Figure<Lesson> {
     Figure::new(Lesson::default(), 2)
-        .controls(&["k_d", "k_s", "p", "light.x", "light.y", "light.z", "phong"])
-        .panel("diffuse", |lesson| lesson.scene.weights[2] = 0.0)
+        .controls(&["k_d", "k_s", "p", "light.x", "light.y", "light.z"])
+        .panel("diffuse", |lesson| {
+            lesson.scene.objects.iter_mut().for_each(|object| object.material.k_s = 0.0);
+        })
         .panel("diffuse + specular", |_| ())
 }
 

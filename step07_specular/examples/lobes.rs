@@ -6,27 +6,25 @@ use show::Figure;
 use show::Sketch;
 use show::told;
 use step07_specular::Lesson;
-use step07_specular::intersection::IntersectionRecord;
 use step07_specular::light::PointLight;
 use step07_specular::material::Material;
 
-/// cosⁿα when light falls straight down on a floor and the viewer is `degrees` away from where a
-/// mirror would send it.
-fn highlight(material: &Material, exponent: f32, degrees: f32) -> f32 {
+/// cosⁿα, as told where eye and light are both `degrees` away from the normal: h is there, too.
+fn highlight(material: &Material, p: f32, degrees: f32) -> f32 {
     let (sin, cos) = degrees.to_radians().sin_cos();
-    let ray = Ray::new(Vec3::new(sin, cos, 0.0), Vec3::new(-sin, -cos, 0.0));
-    let record = IntersectionRecord { t: 1.0, point: Vec3::ZERO, normal: Vec3::Y };
-    let light = PointLight { name: "", position: Vec3::Y, intensity: 1.0, attenuation: true };
-    let material = Material { exponent, ..*material };
-    let shade = |say: &mut _| material.shade(&ray, &record, &light, say);
-    told(["max(0, cos α)^p"], shade).map_or(0.0, |[highlight]| highlight)
+    let position = Vec3::new(sin, cos, 0.0);
+    let ray = Ray::new(position, -position);
+    let light = PointLight { name: "", position, intensity: 1.0 };
+    let material = Material { p, ..*material };
+    let shade = |say: &_| material.shade(&ray, Vec3::ZERO, Vec3::Y, &light, say);
+    told(["max(0, n·h)^p"], shade).map_or(0.0, |[highlight]| highlight)
 }
 
 fn draw(lesson: &Lesson, sketch: &mut Sketch<'_>) {
     let material = &lesson.scene.objects[0].material;
-    let axes = sketch.axes("degrees from v_r to v", 0.0..90.0, 0.0..1.0);
+    let axes = sketch.axes("degrees from n to h", 0.0..90.0, 0.0..1.0);
     let (right, line) = (axes.at(88.0, 1.0), 1.3 * sketch.size);
-    let chosen = material.exponent.round();
+    let chosen = material.p.round();
     let exponents = (0..=8).map(|power| 2.0_f32.powi(power)).chain([chosen]);
     for (index, n) in exponents.enumerate() {
         let part = index as f32 / 8.0;
@@ -42,12 +40,10 @@ fn draw(lesson: &Lesson, sketch: &mut Sketch<'_>) {
 fn figure() -> Figure<Lesson> {
     let mut lesson = Lesson::default();
     lesson.scene.objects.truncate(1);
-    lesson.scene.objects[0].material.phong = true;
     Figure::new(lesson, 1)
         .slider("n", 1.0..=256.0, 12.0, |lesson, n, _| {
-            lesson.scene.objects[0].material.exponent = n;
+            lesson.scene.objects[0].material.p = n;
         })
-        .controls(&["phong"])
         .panel("cosⁿα", |_| ())
         .render(|_, _, _| ())
         .draw(draw)

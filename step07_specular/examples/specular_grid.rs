@@ -12,12 +12,12 @@ fn figure() -> Figure<Lesson> {
     let mut figure = Figure::new(lesson, 4)
         .aspect(1.0)
         .view(View::new(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, 28.0))
-        .controls(&["k_d", "light.x", "light.y", "light.z", "I", "lights", "phong"]);
+        .controls(&["k_d", "light.x", "light.y", "light.z", "I"]);
     for k_s in [0.9, 0.6, 0.3] {
         for p in [10.0, 40.0, 160.0, 640.0] {
             figure = figure.panel(format!("k_s = {k_s}, p = {p}"), move |lesson| {
                 let material = &mut lesson.scene.objects[0].material;
-                (material.k_s, material.exponent) = (k_s, p);
+                (material.k_s, material.p) = (k_s, p);
             });
         }
     }

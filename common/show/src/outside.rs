@@ -132,7 +132,7 @@ impl Outside<'_> {
             rows: ((COLUMNS as f32 / aspect).round() as u32).clamp(1, 4 * COLUMNS),
         };
         let somewhere = self.step.explain(&*camera, Pixel { col: 0, row: 0, width: 1, height: 1 });
-        let told = |name| somewhere.sections.iter().any(|section| section.name == name);
+        let told = |name| somewhere.scope(name).is_some();
         if !told("intersection") {
             canvas.fill(self.area, EMPTY);
         }

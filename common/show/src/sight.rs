@@ -50,16 +50,15 @@ const ACCURACY: f32 = 0.5;
 
 /// The t of the first hit that an explanation of `ray` tells of; `None` when it hits nothing.
 pub(crate) fn told_hit(explanation: &Explanation, ray: &Ray) -> Option<f32> {
-    let mut sections = explanation.sections.iter();
-    let groups = &sections.find(|section| section.name == "intersection")?.groups;
-    let closest = groups.iter().rev().find_map(|group| match group.outcome {
+    let intersection = explanation.scope("intersection")?;
+    let closest = intersection.scopes().rev().find_map(|object| match object.outcome {
         Outcome::Closest(t) => Some(t),
         _ => None,
     });
-    // A step with one object has no groups: what it computes last is the hit.
+    // A step with one object tells of no others: what it computes last is the hit.
     let alone = || {
-        let group = groups.first().filter(|group| group.outcome == Outcome::Told)?;
-        group.lines.iter().rev().find_map(|line| match line.place? {
+        let hit = Some(intersection).filter(|object| object.outcome == Outcome::Told)?;
+        hit.lines().rev().find_map(|line| match line.place? {
             Place::Point(point) => {
                 let d = ray.direction;
                 Some((point - ray.origin).dot(d) / d.length_squared())

@@ -6,11 +6,11 @@ use crate::sight::told_hit;
 use common::Camera;
 use common::Canvas;
 use common::Explanation;
-use common::Group;
 use common::Ink;
 use common::Outcome;
 use common::Place;
 use common::Ray;
+use common::Scope;
 use common::Vec3;
 use common::text;
 use common::translated;
@@ -24,7 +24,7 @@ pub fn symbol_ink(symbol: &str) -> Option<Ink> {
         "v" => Ink::new(100, 190, 245),
         "h" | "v_r" => Ink::new(225, 85, 200),
         SHADOW_RAY => Ink::new(230, 159, 0),
-        "d" | "p" | "(u, v)" => Ink::new(240, 90, 40),
+        "d" | "p" | "u" => Ink::new(240, 90, 40),
         "point" | "t" | "t₁" | "t₂" | "t_max" => Ink::WHITE,
         "α" => Ink::new(230, 85, 45),
         "β" => Ink::new(0, 175, 120),
@@ -65,7 +65,7 @@ pub enum MarkShape {
 /// The viewing ray that an explanation tells of.
 pub(crate) fn viewing_ray(explanation: &Explanation) -> Option<Ray> {
     explanation.lines().find_map(|line| match line.place {
-        Some(Place::Ray(ray, f32::INFINITY)) => Some(ray),
+        Some(Place::ViewingRay(ray)) => Some(ray),
         _ => None,
     })
 }
@@ -86,31 +86,30 @@ pub fn marks(explanation: &Explanation, unit: f32) -> Vec<Mark> {
             marks.push(mark);
         }
     };
-    let groups = explanation.sections.iter().flat_map(|section| &section.groups);
-    for Group { name, outcome, lines } in groups {
-        if let Outcome::Farther(t) = outcome {
-            mark("t", MarkShape::Farther(ray.at(*t)));
+    let scopes = explanation.told.all();
+    // Among other objects the areas of one would cover the rest.
+    let alone = !scopes.iter().any(|scope| matches!(scope.outcome, Outcome::Closest(_)));
+    for scope in scopes {
+        if let Outcome::Farther(t) = scope.outcome {
+            mark("t", MarkShape::Farther(ray.at(t)));
         }
-        if matches!(outcome, Outcome::Farther(_) | Outcome::Missed(..)) {
+        if !Scope::is_open(scope) {
             continue;
         }
-        for line in lines {
+        for line in scope.lines() {
             let symbol = line.symbol();
             match line.place {
-                // Among other objects the areas of one would cover the rest.
-                Some(Place::Area(corners)) if name.is_empty() => {
-                    mark(symbol, MarkShape::Area(corners));
-                }
+                Some(Place::Area(corners)) if alone => mark(symbol, MarkShape::Area(corners)),
                 Some(Place::Arrow(from, direction)) if symbol != "normal" || !tells("n") => {
                     mark(symbol, MarkShape::Arrow(from, from + unit * direction));
                 }
                 Some(Place::Along(ray, t)) if symbol != "t" && !lit => {
                     mark(symbol, MarkShape::Point(ray.at(t)));
                 }
-                Some(Place::Ray(ray, t)) if t < 1.0 && symbol == SHADOW_RAY => {
+                Some(Place::ShadowRay(ray, t)) if t < 1.0 => {
                     mark(symbol, MarkShape::Blocked(ray.origin, ray.at(t)));
                 }
-                Some(Place::Ray(ray, t)) if t.is_finite() => {
+                Some(Place::ShadowRay(ray, t)) => {
                     mark(symbol, MarkShape::Ray(ray.origin, ray.at(t)));
                 }
                 _ => {}

@@ -13,12 +13,12 @@ use common::Camera;
 use common::Canvas;
 use common::Color;
 use common::Controls;
-use common::Explanation;
 use common::Font;
 use common::Image;
 use common::Ink;
 use common::Pixel;
 use common::Ray;
+use common::Recorder;
 use common::Size;
 use common::Step;
 use common::Value;
@@ -86,10 +86,11 @@ impl Camera for PanelCamera<'_> {
 
 /// The numbers that `compute` tells under these symbols; `None` unless it tells all of them.
 pub fn told<const N: usize, T>(
-    symbols: [&str; N], compute: impl FnOnce(&mut Explanation) -> T,
+    symbols: [&str; N], compute: impl FnOnce(&Recorder) -> T,
 ) -> Option<[f32; N]> {
-    let mut said = Explanation::new(Pixel { col: 0, row: 0, width: 1, height: 1 });
-    compute(&mut said);
+    let recorder = Recorder::new(Pixel { col: 0, row: 0, width: 1, height: 1 });
+    compute(&recorder);
+    let said = recorder.finish(Color::ZERO);
     let mut numbers = [0.0; N];
     for (number, symbol) in numbers.iter_mut().zip(symbols) {
         let Some(Value::Number(value)) = said.value(symbol) else { return None };
@@ -322,7 +323,7 @@ impl<L: Step + Clone> Step for Figure<L> {
     }
 
     /// What the lesson tells of the pixel that is there in the panel.
-    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &mut Explanation) -> Color {
+    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color {
         let Pixel { col, row, width, height } = pixel;
         for (_, area, camera, lesson) in self.panels(camera, width, height) {
             let [left, top, width, height] = pixels(area);

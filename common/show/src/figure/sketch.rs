@@ -1,5 +1,7 @@
 use std::ops::Range;
 
+use crate::Mark;
+use crate::MarkShape;
 use crate::Outside;
 use crate::Sight;
 use crate::marks;
@@ -94,6 +96,14 @@ impl<'a> Sketch<'a> {
         marks.retain(|mark| mark.symbol == "point" || symbols.contains(&mark.symbol));
         let mut pen = Pen::new(&mut self.canvas, self.sight, self.size);
         draw_marks(&mut pen, &marks);
+        pen.finish();
+    }
+
+    /// Draws a direction of the figure's own, under its symbol.
+    pub fn arrow(&mut self, symbol: &'static str, from: Vec3, direction: Vec3) {
+        let mark = Mark { symbol, shape: MarkShape::Arrow(from, from + direction) };
+        let mut pen = Pen::new(&mut self.canvas, self.sight, self.size);
+        draw_marks(&mut pen, &[mark]);
         pen.finish();
     }
 

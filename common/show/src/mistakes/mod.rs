@@ -9,11 +9,11 @@ use crate::TOLERANCE;
 use crate::sight::first_hit;
 use common::Camera;
 use common::Color;
-use common::Explanation;
 use common::Frame;
 use common::Pixel;
 use common::Place;
 use common::Ray;
+use common::Recorder;
 use common::Slip;
 use common::Step;
 use common::encode;
@@ -21,6 +21,7 @@ use common::off;
 use common::translated;
 use known::CENTER;
 use known::VISIBLE;
+use known::added;
 
 /// A mistake that the lecture knows: what is wrong, and where to look.
 ///
@@ -121,25 +122,26 @@ impl Mistake {
     /// The radiance of `pixel` with this mistake, unless it is one of encoding.
     fn color(&self, step: &dyn Step, camera: &dyn Camera, pixel: Pixel) -> Color {
         let tell = |slips: &[Slip]| {
-            let mut said = Explanation::mistaken(pixel, slips);
-            let color = step.tell(camera, pixel, &mut said);
-            (said, color)
+            let recorder = Recorder::mistaken(pixel, slips);
+            let color = step.tell(camera, pixel, &recorder);
+            recorder.finish(color)
         };
         match self.kind {
-            Kind::Told(slip) => tell(&[CENTER, slip]).1,
-            Kind::Encoded(_) => tell(&[CENTER]).1,
+            Kind::Told(slip) => tell(&[CENTER, slip]).color,
+            Kind::Encoded(_) => tell(&[CENTER]).color,
             Kind::Blocked(range) => {
-                let (said, mut color) = tell(&[CENTER, VISIBLE]);
-                for group in said.sections.iter().flat_map(|section| &section.groups) {
-                    let ray = group.lines.iter().find_map(|line| match line.place {
-                        Some(Place::Ray(ray, _)) if line.equation != "d" => Some(ray),
+                let said = tell(&[CENTER, VISIBLE]);
+                let mut color = said.color;
+                for light in said.told.all() {
+                    let ray = light.lines().find_map(|line| match line.place {
+                        Some(Place::ShadowRay(ray, _)) => Some(ray),
                         _ => None,
                     });
-                    let Some((ray, light)) = ray.zip(group.lines.last()) else { continue };
+                    let Some(ray) = ray else { continue };
                     let (from, to) = range(ray.direction.length());
                     let ahead = Ray::new(ray.at(from), ray.direction);
                     if first_hit(step, &ahead).is_some_and(|t| t + from < to) {
-                        color -= Color::try_from(light.value).unwrap_or(Color::ZERO);
+                        color -= added(light);
                     }
                 }
                 color
@@ -153,8 +155,8 @@ pub fn centered(frame: &Frame<'_>) -> RgbImage {
     let (width, height) = (frame.size.width(), frame.size.height());
     RgbImage::from_fn(width as u32, height as u32, |col, row| {
         let pixel = Pixel { col: col as usize, row: row as usize, width, height };
-        let mut said = Explanation::mistaken(pixel, &[CENTER]);
-        Rgb(encode(frame.step.tell(frame.camera, pixel, &mut said)))
+        let recorder = Recorder::mistaken(pixel, &[CENTER]);
+        Rgb(encode(frame.step.tell(frame.camera, pixel, &recorder)))
     })
 }
 

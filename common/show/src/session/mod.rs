@@ -22,7 +22,6 @@ use common::Control;
 use common::Explanation;
 use common::Language;
 use common::Pixel;
-use common::Section;
 use common::Size;
 use common::View;
 use common::text;
@@ -652,9 +651,8 @@ impl Session {
         let Some(explanation) = self.explanation() else {
             return;
         };
-        let mut sections = explanation.sections.iter().rev();
-        let lines = |section: &Section| section.groups.iter().map(|group| group.lines.len()).sum();
-        let last: usize = sections.next().map_or(0, lines);
+        let mut sections = explanation.told.scopes().rev();
+        let last = sections.next().map_or(0, |section| section.all_lines().len());
         for (place, section) in sections.enumerate() {
             self.folds.push((Fold::Section(section.name), true));
             let wanted = place == 0 && last <= 1;

@@ -29,7 +29,8 @@ use common::Font;
 use common::Ink;
 use common::Line;
 use common::Outcome;
-use common::Section;
+use common::Part;
+use common::Scope;
 use common::Value;
 use common::count_off;
 use common::encode;
@@ -262,54 +263,63 @@ impl Session {
         let [r, g, b] = rgb;
         let (col, row) = (explanation.pixel.col, explanation.pixel.row);
         let mut rows = vec![Row::Pixel { text: format!("({col}, {row}): {r}, {g}, {b}"), rgb }];
-        let last = explanation.sections.len().saturating_sub(1);
         let before = self.before.as_ref().and_then(|before| self.explanation_of(before));
-        let is_new = |section: &Section, line: &Line| {
-            let told = |other: &Section| {
-                let mut lines = other.groups.iter().flat_map(|group| &group.lines);
-                other.name == section.name && lines.any(|other| other.equation == line.equation)
-            };
-            before.as_ref().is_some_and(|before| !before.sections.iter().any(told))
+        let told = |section: &'static str, line: &Line| {
+            before.as_ref().is_none_or(|before| {
+                let mut same = before.told.scopes().filter(|scope| scope.name == section);
+                same.any(|scope| {
+                    scope.all_lines().iter().any(|other| other.equation == line.equation)
+                })
+            })
         };
-        for (place, section) in explanation.sections.iter().enumerate().rev() {
+        for (place, section) in explanation.told.scopes().rev().enumerate() {
             let fold = Fold::Section(section.name);
-            let open = self.is_open(fold, place == last);
+            let open = self.is_open(fold, place == 0);
+            let is_new = |line: &Line| !told(section.name, line);
+            let new = !open && section.all_lines().into_iter().any(is_new);
             let (text, value) = (translated(section.name), String::new());
-            if !text.is_empty() {
-                let mut lines = section.groups.iter().flat_map(|group| &group.lines);
-                let new = !open && lines.any(|line| is_new(section, line));
-                rows.push(Row::Heading { fold, text, value, open, faint: false, new });
+            rows.push(Row::Heading { fold, text, value, open, faint: false, new });
+            if open {
+                self.rows_of(section, section.name, &mut 0, &is_new, &mut rows);
             }
-            if !open {
-                continue;
-            }
-            for (place, group) in section.groups.iter().enumerate() {
-                let fold = Fold::Group(section.name, place);
-                let open = group.name.is_empty() || self.is_open(fold, group.is_open());
-                if !group.name.is_empty() {
-                    let value = match group.outcome {
+        }
+        rows
+    }
+
+    /// The rows of what is told of `scope`; `count` counts the scopes within the section.
+    fn rows_of(
+        &self, scope: &Scope, section: &'static str, count: &mut usize,
+        is_new: &impl Fn(&Line) -> bool, rows: &mut Vec<Row>,
+    ) {
+        for part in &scope.parts {
+            match part {
+                Part::Line(line) => {
+                    let equation = translated(line.equation);
+                    let ink = symbol_ink(line.symbol()).unwrap_or(FAINT);
+                    let (values, new) = (line.value.texts(), is_new(line));
+                    rows.push(Row::Line { equation, ink, values, new });
+                }
+                Part::Scope(inner) => {
+                    let fold = Fold::Scope(section, *count);
+                    *count += 1;
+                    let open = self.is_open(fold, inner.is_open());
+                    let value = match inner.outcome {
                         Outcome::Told => String::new(),
                         Outcome::Missed(why, _) => translated(why).to_owned(),
                         Outcome::Closest(t) | Outcome::Farther(t) => {
                             format!("t = {}", Value::Number(t).texts().concat().trim())
                         }
                     };
-                    let faint = !group.is_open();
-                    let new = !open && group.lines.iter().any(|line| is_new(section, line));
-                    let text = translated(group.name);
+                    let faint = !inner.is_open();
+                    let new = !open && inner.all_lines().into_iter().any(is_new);
+                    let text = translated(inner.name);
                     rows.push(Row::Heading { fold, text, value, open, faint, new });
-                }
-                if open {
-                    rows.extend(group.lines.iter().map(|line| {
-                        let equation = translated(line.equation);
-                        let ink = symbol_ink(line.symbol()).unwrap_or(FAINT);
-                        let new = is_new(section, line);
-                        Row::Line { equation, ink, values: line.value.texts(), new }
-                    }));
+                    if open {
+                        self.rows_of(inner, section, count, is_new, rows);
+                    }
                 }
             }
         }
-        rows
     }
 }
 

@@ -36,10 +36,10 @@ const GUTTER: f32 = 1.6;
 pub(super) enum Fold {
     /// The controls of a stretch of the lecture.
     Controls(&'static str),
-    /// A section of an explanation.
+    /// A part of the algorithm in an explanation.
     Section(&'static str),
-    /// A section's group, counted from 0: several may have the same name.
-    Group(&'static str, usize),
+    /// What is told of one thing within it, counted from 0: several may have the same name.
+    Scope(&'static str, usize),
 }
 
 /// What a row acts on.
@@ -104,7 +104,7 @@ impl Row {
     fn height(&self, em: f32, width: f32) -> f32 {
         let lines = |count: usize| LINE * em * count as f32;
         match self {
-            Self::Heading { fold: Fold::Group(..), .. } => 1.35 * em,
+            Self::Heading { fold: Fold::Scope(..), .. } => 1.35 * em,
             Self::Heading { .. } | Self::Control(_) | Self::Pixel { .. } => HIGH * em,
             Self::Line { equation, values, .. } => {
                 lines(Columns::new(equation, values, em, width).count()) + 0.15 * em
@@ -329,7 +329,7 @@ impl Panel {
             Row::Heading { fold, text, value, open, faint, .. } => {
                 let ink = match (fold, faint) {
                     (_, true) => FAINT,
-                    (Fold::Group(..), false) => TEXT,
+                    (Fold::Scope(..), false) => TEXT,
                     _ => ACCENT,
                 };
                 draw_fold(canvas, (area.left + 0.3 * em, middle.1), 0.28 * em, *open, ink);

@@ -11,7 +11,6 @@ use super::panel::Panel;
 use super::panel::Row;
 use common::Area;
 use common::Canvas;
-use common::Section;
 
 /// The em of the text beside a written picture, of the picture's height, and that of the labels in it.
 const TEXT: f32 = 1.0 / 36.0;
@@ -63,11 +62,12 @@ impl Session {
     /// take no column more; where the last says no more than a colour, the one before it in any case.
     fn columns(&mut self, first: Area, em: f32) -> Vec<Panel> {
         let folds = mem::take(&mut self.folds);
-        let sections = self.explanation().map_or(Vec::new(), |explanation| explanation.sections);
+        let explanation = self.explanation();
+        let sections = explanation.iter().flat_map(|explanation| explanation.told.scopes().rev());
+        let sections: Vec<_> = sections.collect();
         let mut columns = columns_of(self.open_rows(), first, em);
-        let lines = |section: &Section| section.groups.iter().map(|group| group.lines.len()).sum();
-        let last: usize = sections.last().map_or(0, lines);
-        for (place, section) in sections.iter().rev().enumerate().skip(1) {
+        let last = sections.first().map_or(0, |section| section.all_lines().len());
+        for (place, section) in sections.iter().enumerate().skip(1) {
             self.folds.push((Fold::Section(section.name), true));
             let more = columns_of(self.open_rows(), first, em);
             let wanted = place == 1 && last <= 1;
