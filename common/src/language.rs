@@ -39,12 +39,15 @@ impl Language {
         }
     }
 
-    /// The other one.
-    pub fn other(self) -> Self {
-        match self {
-            Self::English => Self::Portuguese,
-            Self::Portuguese => Self::English,
-        }
+    /// The next in the list of all.
+    pub fn next(self) -> Self {
+        let place = Self::ALL.iter().position(|(_, language)| *language == self).unwrap_or(0);
+        Self::ALL[(place + 1) % Self::ALL.len()].1
+    }
+
+    /// The name that `--language` knows it by.
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().find(|(_, language)| *language == self).map_or("", |(name, _)| name)
     }
 
     /// From now on this thread's texts are in this language.

@@ -13,9 +13,8 @@ pub trait Step: Sync {
     /// Where the picture is first seen from.
     fn view(&self) -> View;
 
-    /// What can be changed while looking. Asked for anew after each change, because one control
-    /// may decide what the next one acts on.
-    fn controls(&mut self) -> Controls<'_>;
+    /// Shows `to` what can be changed while looking.
+    fn controls(&mut self, to: &mut dyn Controls);
 
     /// The slide's loop over the pixels of `image`, as `camera` sees them.
     fn render(&self, camera: &dyn Camera, image: &mut Image<'_>);

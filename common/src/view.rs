@@ -41,9 +41,8 @@ pub enum Projection {
 }
 
 impl View {
-    /// The two kinds of camera, by name.
-    pub const PROJECTIONS: [(&'static str, Projection); 2] =
-        [("perspective", Projection::Perspective), ("parallel", Projection::Parallel)];
+    /// The names of the two kinds of camera, in the order of [`Projection`].
+    pub const PROJECTIONS: [&'static str; 2] = ["perspective", "parallel"];
 
     /// Seen in perspective from `eye`, towards `target`; `field_of_view` is vertical, in degrees.
     pub fn new(eye: Vec3, target: Vec3, field_of_view: f32) -> Self {
@@ -115,15 +114,15 @@ impl View {
         }
     }
 
-    /// The camera's own controls: they come after those of the step.
-    pub fn controls(&mut self) -> Controls<'_> {
-        let mut controls = Controls::new();
-        controls.group("camera");
-        controls.choice("camera", Self::PROJECTIONS, &mut self.projection);
-        controls.number("azimuth", AZIMUTH, &mut self.azimuth);
-        controls.number("elevation", ELEVATION, &mut self.elevation);
-        controls.logarithmic("distance", DISTANCE, &mut self.distance);
-        controls.number("fov", FIELD_OF_VIEW, &mut self.field_of_view);
-        controls
+    /// Shows `to` the camera's own controls: they come after those of the step.
+    pub fn controls(&mut self, to: &mut dyn Controls) {
+        to.group("camera");
+        let mut chosen = self.projection as usize;
+        to.choice("camera", &Self::PROJECTIONS, &mut chosen);
+        self.projection = [Projection::Perspective, Projection::Parallel][chosen];
+        to.number("azimuth", AZIMUTH, &mut self.azimuth);
+        to.number("elevation", ELEVATION, &mut self.elevation);
+        to.logarithmic("distance", DISTANCE, &mut self.distance);
+        to.number("fov", FIELD_OF_VIEW, &mut self.field_of_view);
     }
 }

@@ -9,6 +9,7 @@ mod figures;
 #[cfg(not(target_family = "wasm"))]
 mod lesson;
 mod page;
+mod protocol;
 
 #[cfg(not(target_family = "wasm"))]
 use std::rc::Rc;

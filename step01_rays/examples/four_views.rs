@@ -27,8 +27,8 @@ impl Step for Seen {
         self.lesson.view()
     }
 
-    fn controls(&mut self) -> Controls<'_> {
-        self.lesson.controls()
+    fn controls(&mut self, to: &mut dyn Controls) {
+        self.lesson.controls(to);
     }
 
     fn render(&self, camera: &dyn Camera, image: &mut Image<'_>) {

@@ -5,9 +5,8 @@ use crate::Lesson;
 use crate::Shown;
 
 /// Which part of a ray its colour shows.
-pub fn controls(lesson: &mut Lesson) -> Controls<'_> {
-    let shown = [("direction", Shown::Direction), ("origin", Shown::Origin)];
-    let mut controls = Controls::new();
-    controls.choice("shown", shown, &mut lesson.shown);
-    controls
+pub fn controls(lesson: &mut Lesson, to: &mut dyn Controls) {
+    let mut chosen = lesson.shown as usize;
+    to.choice("shown", &["direction", "origin"], &mut chosen);
+    lesson.shown = [Shown::Direction, Shown::Origin][chosen];
 }

@@ -43,8 +43,8 @@ impl Step for Lesson {
         View::new(Vec3::new(0.0, 0.0, 3.0), Vec3::ZERO, 45.0)
     }
 
-    fn controls(&mut self) -> Controls<'_> {
-        controls(self)
+    fn controls(&mut self, to: &mut dyn Controls) {
+        controls(self, to);
     }
 
     fn render(&self, camera: &dyn Camera, image: &mut Image<'_>) {

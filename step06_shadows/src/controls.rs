@@ -5,27 +5,25 @@ use crate::Lesson;
 use crate::surface::Surface;
 
 /// What can be dragged, and how far.
-pub fn controls(lesson: &mut Lesson) -> Controls<'_> {
+pub fn controls(lesson: &mut Lesson, to: &mut dyn Controls) {
     let scene = &mut lesson.scene;
-    let mut controls = Controls::new();
     for object in &mut scene.objects {
         if let Surface::Sphere(sphere) = &mut object.surface {
-            controls.group_of("scene", "sphere", object.name);
-            controls.point("center", -3.0..=3.0, &mut sphere.center);
-            controls.number("radius", 0.1..=2.0, &mut sphere.radius);
-            controls.group_of("diffuse reflection", "sphere", object.name);
-            controls.brightness("k_d", 0.05..=1.0, &mut object.material.k_d);
-            controls.group_of("shadows, lights, ambient", "sphere", object.name);
-            controls.brightness("k_a", 0.01..=1.0, &mut object.material.k_a);
+            to.group_of("scene", "sphere", object.name);
+            to.point("center", -3.0..=3.0, &mut sphere.center);
+            to.number("radius", 0.1..=2.0, &mut sphere.radius);
+            to.group_of("diffuse reflection", "sphere", object.name);
+            to.brightness("k_d", 0.05..=1.0, &mut object.material.k_d);
+            to.group_of("shadows, lights, ambient", "sphere", object.name);
+            to.brightness("k_a", 0.01..=1.0, &mut object.material.k_a);
         }
     }
-    controls.group("shadows, lights, ambient");
-    controls.number("I_a", 0.0..=5.0, &mut scene.ambient);
-    controls.logarithmic("epsilon", 0.0..=1.0, &mut scene.epsilon);
+    to.group("shadows, lights, ambient");
+    to.number("I_a", 0.0..=5.0, &mut scene.ambient);
+    to.logarithmic("epsilon", 0.0..=1.0, &mut scene.epsilon);
     for light in &mut scene.lights {
-        controls.group_of("diffuse reflection", "light", light.name);
-        controls.point("light", -10.0..=10.0, &mut light.position);
-        controls.number("I", 0.0..=200.0, &mut light.intensity);
+        to.group_of("diffuse reflection", "light", light.name);
+        to.point("light", -10.0..=10.0, &mut light.position);
+        to.number("I", 0.0..=200.0, &mut light.intensity);
     }
-    controls
 }

@@ -7,6 +7,8 @@
 //! if it did: its program and its figures do.
 
 mod compare;
+mod control;
+mod desk;
 #[cfg(not(target_family = "wasm"))]
 mod desktop;
 mod figure;
@@ -22,6 +24,22 @@ pub use compare::Comparison;
 pub use compare::Difference;
 pub(crate) use compare::TOLERANCE;
 pub use compare::side_by_side;
+pub use control::Control;
+pub use control::Refused;
+pub use desk::Act;
+pub use desk::Compare;
+pub use desk::Desk;
+pub use desk::Does;
+pub use desk::Effect;
+pub use desk::Group;
+pub use desk::Hand;
+pub use desk::Key;
+pub use desk::Program;
+pub use desk::Reading;
+pub use desk::Refusal;
+pub use desk::Wanted;
+pub use desk::does;
+pub use desk::table as keys;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::lecture;
 #[cfg(not(target_family = "wasm"))]
@@ -39,18 +57,8 @@ pub use mistakes::Mistake;
 pub use mistakes::Pair;
 pub use mistakes::centered;
 pub use outside::Outside;
-#[cfg(not(target_family = "wasm"))]
-pub(crate) use session::Compare;
-pub use session::Effect;
 pub use session::Event;
-pub use session::KEYS;
-pub use session::Key;
-pub use session::LECTURE_KEYS;
-#[cfg(not(target_family = "wasm"))]
-pub(crate) use session::OUTSIDE;
-pub use session::Program;
 pub use session::Session;
-pub use session::Wanted;
 pub use setup::Handle;
 pub use setup::Make;
 pub use setup::Setting;

@@ -1,65 +1,63 @@
+//! A step, where it is seen from, and what was changed in both.
+
 use std::fmt;
 use std::rc::Rc;
 
-use common::Control;
+use crate::control;
+use crate::control::AXES;
+use crate::control::Control;
+use crate::control::Refused;
+use crate::control::first_word;
 use common::Controls;
-use common::Refused;
 use common::Step;
 use common::Vec3;
 use common::View;
-use common::first_word;
 use common::text;
 
 /// A step, where it is seen from, and what was changed in both: all that a picture is made of.
 ///
-/// What was changed is kept as the settings that a command line would give, and the step is made
-/// anew from them after each change. So whatever was dragged where, [`settings`](Self::settings)
-/// give the same picture to the last bit.
+/// The changes are kept as the values that a command line would give, and the step is made anew with
+/// them after each change. So whatever was dragged where, [`settings`](Self::settings) give the same
+/// picture to the last bit.
 pub struct Setup {
     make: Make,
     step: Box<dyn Step>,
     view: View,
+    /// As they are now, and as the step starts.
+    controls: Vec<Control>,
+    start: Vec<Control>,
     changes: Vec<Change>,
-    /// Of each kind of object, the one whose controls are shown, unless it is the first.
-    chosen: Vec<(&'static str, &'static str)>,
+    /// Of each kind of object the one that a name without an owner means, unless it is the first.
+    chosen: Vec<Owner>,
 }
 
 /// What makes a step as it starts.
 pub type Make = Rc<dyn Fn() -> Box<dyn Step>>;
 
+/// What kind of object a control belongs to, and which of them.
+type Owner = (&'static str, &'static str);
+
 /// A control with a value that is not the one it starts with.
 #[derive(Clone, Debug, PartialEq)]
 struct Change {
-    of: Option<(&'static str, &'static str)>,
+    of: Option<Owner>,
     name: String,
-    value: String,
+    value: f32,
 }
 
 impl Change {
-    fn is_of(&self, control: &Control<'_>) -> bool {
+    fn is_of(&self, control: &Control) -> bool {
         control.name == self.name && control.of == self.of
     }
 }
 
-/// A control as a front end shows it: a plain value.
+/// A control as a shell shows it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
-    /// The slide's symbol, or one word.
+    /// What it is called among all: `green.k_d` where other objects have a k_d too.
     pub name: String,
-    /// The stretch of the lecture that it belongs to; the step's own is the last but the camera's.
-    pub group: &'static str,
-    /// Where several objects have this control, what these are: the name of the choice between them.
-    pub of: Option<&'static str>,
-    /// For one of the three numbers of a point: the point's name, and 0, 1 or 2.
-    pub axis: Option<(&'static str, usize)>,
-    /// The value as it is shown: `0.85`, `parallel`, `off`.
-    pub text: String,
-    /// Where the value stands between the ends of its range, 0 to 1.
-    pub fraction: f32,
-    /// What it takes, in words: `0.1 to 3`, or `on | off`.
-    pub takes: String,
-    /// The names of a choice or of a switch, in order; none of a number.
-    pub options: Vec<&'static str>,
+    /// What it is.
+    pub control: Control,
     /// Whether the value is another than the one it starts with.
     pub changed: bool,
 }
@@ -94,19 +92,21 @@ impl fmt::Display for SettingError {
 
 impl std::error::Error for SettingError {}
 
-/// All controls: the step's, then the camera's.
-fn controls<'a>(step: &'a mut dyn Step, view: &'a mut View) -> Controls<'a> {
-    let mut controls = step.controls();
-    controls.extend(view.controls());
-    controls
+/// Shows `to` all controls: the step's, then the camera's.
+fn show(step: &mut dyn Step, view: &mut View, to: &mut dyn Controls) {
+    to.group("");
+    step.controls(to);
+    view.controls(to);
 }
 
 impl Setup {
     /// The step as `make` makes it.
     pub fn new(make: Make) -> Self {
-        let step = make();
-        let view = step.view();
-        Self { make, step, view, changes: Vec::new(), chosen: Vec::new() }
+        let mut step = make();
+        let mut view = step.view();
+        let start = control::list(|to| show(&mut *step, &mut view, to));
+        let (controls, changes, chosen) = (start.clone(), Vec::new(), Vec::new());
+        Self { make, step, view, controls, start, changes, chosen }
     }
 
     /// The step, as it was changed.
@@ -128,105 +128,122 @@ impl Setup {
         other
     }
 
-    /// Makes the step anew, with all changes. Those that it has no control for wait for a step
-    /// that has.
+    /// Makes the step anew, with all changes. Those that it has no control for wait for a step that
+    /// has; a value out of its range is left to the other step.
     fn remake(&mut self) {
-        self.step = (self.make)();
-        self.view = self.step.view();
-        let mut controls = controls(&mut *self.step, &mut self.view);
-        for change in &self.changes {
-            let is_it = |control: &&mut Control<'_>| change.is_of(control);
-            if let Some(control) = controls.iter_mut().find(is_it) {
-                // What one step took may be out of another's range; it then keeps its own.
-                let _ = control.set(&change.value);
-            }
-        }
-    }
-
-    fn controls(&mut self) -> Controls<'_> {
-        controls(&mut *self.step, &mut self.view)
-    }
-
-    /// The controls that are shown: those that only one of several objects has for the chosen one
-    /// alone, with the choice before them where there is one to make.
-    pub fn list(&mut self) -> Vec<Setting> {
-        let (chosen, changes) = (self.chosen.clone(), self.changes.clone());
-        let controls = self.controls();
-        let mut list: Vec<Setting> = Vec::new();
-        for control in controls.iter() {
-            if let Some((kind, which)) = control.of {
-                let names = all(&controls, kind);
-                let place = choice(&chosen, kind, &names);
-                if names.len() > 1 && !list.iter().any(|setting| setting.name == kind) {
-                    list.push(Setting::choice(kind, control.group, names.clone(), place));
-                }
-                if names[place] != which {
-                    continue;
-                }
-            }
-            let changed = changes
-                .iter()
-                .any(|change| change.is_of(control) && change.value == control.exact());
-            if !list.iter().any(|setting| setting.name == control.name) {
-                list.push(Setting::new(control, changed));
-            }
-        }
-        list
-    }
-
-    /// Does `change` to the control `name` that is shown; `None` when there is none.
-    fn change<T>(&mut self, name: &str, change: impl FnOnce(&mut Control<'_>) -> T) -> Option<T> {
-        let chosen = self.chosen.clone();
-        let mut controls = self.controls();
-        let place = controls.iter().position(|control| {
-            let shown = control.of.is_none_or(|(kind, which)| {
-                let names = all(&controls, kind);
-                names[choice(&chosen, kind, &names)] == which
-            });
-            control.name == name && shown
-        })?;
-        let done = change(&mut controls[place]);
-        let (of, value) = (controls[place].of, controls[place].exact());
-        drop(controls);
-        self.keep(of, name, value);
-        Some(done)
-    }
-
-    /// Keeps a control's new value, unless it is the one that the control starts with.
-    fn keep(&mut self, of: Option<(&'static str, &'static str)>, name: &str, value: String) {
-        self.changes.retain(|change| change.name != name || change.of != of);
         let mut step = (self.make)();
         let mut view = step.view();
-        let controls = controls(&mut *step, &mut view);
-        let start = controls.iter().find(|control| control.name == name && control.of == of);
-        if start.is_none_or(|start| start.exact() != value) {
-            self.changes.push(Change { of, name: name.to_owned(), value });
+        let changes = &self.changes;
+        let value = |control: &Control| {
+            let change = changes.iter().find(|change| change.is_of(control))?;
+            control.accepts(change.value).then_some(change.value)
+        };
+        self.controls = control::change(|to| show(&mut *step, &mut view, to), value);
+        (self.step, self.view) = (step, view);
+    }
+
+    /// All controls in the order in which the lecture adds them, the camera's last.
+    pub fn list(&self) -> Vec<Setting> {
+        let pairs = self.controls.iter().zip(&self.start);
+        let setting = |(control, start): (&Control, &Control)| Setting {
+            name: self.full_name(control),
+            control: control.clone(),
+            changed: control.value != start.value,
+        };
+        pairs.map(setting).collect()
+    }
+
+    /// What a control is called among all: with its owner where another has it too.
+    fn full_name(&self, control: &Control) -> String {
+        match control.of {
+            Some((kind, which)) if self.all(kind).len() > 1 => {
+                format!("{}.{}", self.word((kind, which)), control.name)
+            }
+            _ => control.name.clone(),
+        }
+    }
+
+    /// The objects of `kind`.
+    fn all(&self, kind: &str) -> Vec<&'static str> {
+        let mut names = Vec::new();
+        for (other, which) in self.controls.iter().filter_map(|control| control.of) {
+            if other == kind && !names.contains(&which) {
+                names.push(which);
+            }
+        }
+        names
+    }
+
+    /// What an object is called on a command line: its first word, or all of its name where another
+    /// one has that word too.
+    fn word(&self, (kind, which): Owner) -> &'static str {
+        let word = first_word(which);
+        let all = self.all(kind);
+        let same = all.iter().filter(|other| first_word(other) == word);
+        if same.count() > 1 { which } else { word }
+    }
+
+    /// From now on names without an owner mean the object `which`, if there is one.
+    pub(crate) fn mean(&mut self, which: &str) {
+        let owners = self.controls.iter().filter_map(|control| control.of);
+        if let Some(owner) = owners.into_iter().find(|of| of.1 == which) {
+            self.chosen.retain(|chosen| chosen.0 != owner.0);
+            self.chosen.push(owner);
+        }
+    }
+
+    /// The object of `kind` that a name without an owner means.
+    pub(crate) fn chosen(&self, kind: &str) -> Option<&'static str> {
+        let names = self.all(kind);
+        let chosen = self.chosen.iter().find(|of| of.0 == kind && names.contains(&of.1));
+        chosen.map(|of| of.1).or_else(|| names.first().copied())
+    }
+
+    /// The place of the control called `name`: `green.k_d`, or `k_d` of the chosen object.
+    fn find(&self, name: &str) -> Option<usize> {
+        let owned = |control: &Control| {
+            let (word, rest) = name.split_once('.').unwrap_or(("", ""));
+            control
+                .of
+                .is_some_and(|of| control.name == rest && [of.1, self.word(of)].contains(&word))
+        };
+        let meant = |control: &Control| {
+            let chosen = |(kind, which): Owner| self.chosen(kind) == Some(which);
+            control.name == name && control.of.is_none_or(chosen)
+        };
+        let place = |is_it: &dyn Fn(&Control) -> bool| self.controls.iter().position(is_it);
+        place(&owned).or_else(|| place(&meant))
+    }
+
+    /// Gives the control at `place` a value, which it accepts.
+    fn put(&mut self, place: usize, value: f32) {
+        let Control { of, ref name, .. } = self.controls[place];
+        let name = name.clone();
+        self.changes.retain(|change| change.name != name || change.of != of);
+        if self.start[place].value != value {
+            self.changes.push(Change { of, name, value });
         }
         self.remake();
     }
 
-    /// Chooses the object of `kind` whose controls are shown; whether there is such a kind, or
-    /// what it takes instead.
+    /// Chooses the object that names without an owner mean; `None` where `kind` is no kind of them.
     fn choose(&mut self, kind: &str, value: &str) -> Option<Result<(), Refused>> {
-        let controls = self.controls();
-        let of = controls.iter().find_map(|control| control.of.filter(|of| of.0 == kind))?;
-        let names = all(&controls, kind);
-        drop(controls);
-        let words = words(&names);
+        let controls = self.controls.iter();
+        let kind = controls.filter_map(|control| control.of).find(|of| of.0 == kind)?.0;
+        let names = self.all(kind);
+        let words: Vec<&str> = names.iter().map(|name| self.word((kind, name))).collect();
         let place = names.iter().position(|name| *name == value);
         let Some(place) = place.or_else(|| words.iter().position(|word| *word == value)) else {
             let (name, value) = (kind.to_owned(), value.to_owned());
             return Some(Err(Refused { name, value, takes: words.join(" | ") }));
         };
         self.chosen.retain(|chosen| chosen.0 != kind);
-        if place > 0 {
-            self.chosen.push((of.0, names[place]));
-        }
+        self.chosen.push((kind, names[place]));
         Some(Ok(()))
     }
 
     /// Sets a control as the command line does: the one called `name` takes the value that `value`
-    /// names.
+    /// names. `sphere` = `green` says whose controls the names after it mean.
     ///
     /// # Errors
     ///
@@ -235,54 +252,37 @@ impl Setup {
         if let Some(chosen) = self.choose(name, value) {
             return chosen.map_err(SettingError::Refused);
         }
-        match self.change(name, |control| control.set(value)) {
-            Some(set) => set.map_err(SettingError::Refused),
-            None => {
-                let known = self.list().into_iter().map(|setting| setting.name).collect();
-                Err(SettingError::Unknown { name: name.to_owned(), known })
-            }
+        let Some(place) = self.find(name) else {
+            let known = self.list().into_iter().map(|setting| setting.name).collect();
+            return Err(SettingError::Unknown { name: name.to_owned(), known });
+        };
+        let value = self.controls[place].read(value).map_err(SettingError::Refused)?;
+        self.put(place, value);
+        Ok(())
+    }
+
+    /// Gives the control `name` the value that `value` makes of it; nothing happens when there is
+    /// none of this name.
+    fn change(&mut self, name: &str, value: impl FnOnce(&Control) -> f32) {
+        if let Some(place) = self.find(name) {
+            self.put(place, value(&self.controls[place]));
         }
     }
 
-    /// Moves a control to `fraction` of its range, 0 to 1; nothing happens when there is none of
-    /// this name.
+    /// Moves a control to `fraction` of its range, 0 to 1.
     pub fn set_fraction(&mut self, name: &str, fraction: f32) {
-        if let Some(setting) = self.choice_called(name) {
-            let last = (setting.options.len() - 1) as f32;
-            let fraction = if fraction.is_nan() { 0.0 } else { fraction.clamp(0.0, 1.0) };
-            let _ = self.choose(name, setting.options[(fraction * last).round() as usize]);
-        } else {
-            self.change(name, |control| control.set_fraction(fraction));
-        }
+        self.change(name, |control| control.at_fraction(fraction));
     }
 
-    /// Moves a control by `steps` of a key, as [`Control::nudge`] does.
+    /// Moves a control by `steps` of a key, as [`Control::nudged`] says.
     pub fn nudge(&mut self, name: &str, steps: f32) {
-        if steps == 0.0 {
-            return;
-        }
-        if let Some(setting) = self.choice_called(name) {
-            let step = steps.signum() / (setting.options.len() - 1).max(1) as f32;
-            self.set_fraction(name, setting.fraction + step);
-        } else {
-            self.change(name, |control| control.nudge(steps));
-        }
-    }
-
-    /// The choice of an object that is called `name`.
-    fn choice_called(&mut self, name: &str) -> Option<Setting> {
-        let is_kind =
-            self.controls().iter().any(|control| control.of.is_some_and(|of| of.0 == name));
-        self.list().into_iter().find(|setting| is_kind && setting.name == name)
+        self.change(name, |control| control.nudged(steps));
     }
 
     /// Gives the control `name` back the value that it starts with.
     pub fn reset(&mut self, name: &str) {
-        if self.choice_called(name).is_some() {
-            self.chosen.retain(|chosen| chosen.0 != name);
-        } else if let Some(of) = self.change(name, |control| control.of) {
-            self.changes.retain(|change| change.name != name || change.of != of);
-            self.remake();
+        if let Some(place) = self.find(name) {
+            self.put(place, self.start[place].value);
         }
     }
 
@@ -295,41 +295,32 @@ impl Setup {
 
     /// Circles what is seen, by these angles in degrees.
     pub fn orbit(&mut self, right: f32, up: f32) {
-        self.view.orbit(right, up);
-        self.keep_view();
+        self.move_view(|view| view.orbit(right, up));
     }
 
     /// Multiplies the distance by `factor`.
     pub fn zoom(&mut self, factor: f32) {
-        self.view.zoom(factor);
-        self.keep_view();
+        self.move_view(|view| view.zoom(factor));
     }
 
-    fn keep_view(&mut self) {
-        let moved: Vec<(String, String)> = self
-            .view
-            .controls()
-            .iter()
-            .map(|control| (control.name.clone(), control.exact()))
-            .collect();
-        for (name, value) in moved {
-            self.keep(None, &name, value);
+    fn move_view(&mut self, change: impl FnOnce(&mut View)) {
+        let mut view = self.view.clone();
+        change(&mut view);
+        for moved in control::list(|to| view.controls(to)) {
+            self.change(&moved.name, |_| moved.value);
         }
     }
 
     /// The points of the world that can be taken hold of, of all objects.
-    pub fn points(&mut self) -> Vec<Handle> {
-        let controls = self.controls();
-        let numbers = controls.iter().filter_map(|control| Some((control, control.axis?)));
+    pub fn points(&self) -> Vec<Handle> {
         let mut points: Vec<Handle> = Vec::new();
-        for (control, (name, axis)) in numbers {
-            // It was written by the control itself.
-            let value = control.exact().parse().unwrap_or(0.0);
+        for control in &self.controls {
+            let Some((name, axis)) = control.axis else { continue };
             match points.iter_mut().find(|point| point.name == name && point.of == control.of) {
-                Some(point) => point.position[axis] = value,
+                Some(point) => point.position[axis] = control.value,
                 None => {
                     let mut position = Vec3::ZERO;
-                    position[axis] = value;
+                    position[axis] = control.value;
                     points.push(Handle { of: control.of, name, position });
                 }
             }
@@ -337,57 +328,22 @@ impl Setup {
         points
     }
 
-    /// Moves a point to `position`, or as near as its range goes, and chooses its object.
+    /// Moves a point to `position`, or as near as its range goes.
     pub fn move_point(&mut self, point: &Handle, position: Vec3) {
-        if let Some((kind, which)) = point.of {
-            let _ = self.choose(kind, which);
-        }
-        for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
-            let name = format!("{}.{letter}", point.name);
-            self.change(&name, |control| control.set_nearest(position[axis]));
+        for axis in 0..AXES.len() {
+            let is_it =
+                |other: &Control| other.axis == Some((point.name, axis)) && other.of == point.of;
+            if let Some(place) = self.controls.iter().position(is_it) {
+                self.put(place, self.controls[place].nearest(position[axis]));
+            }
         }
     }
 
-    /// What has to be set, in this order, to get here from the start: NAME=VALUE each. What waits
-    /// for another step is not among it.
+    /// What has to be set to get here from the start: NAME=VALUE each. What waits for another step
+    /// is not among it.
     pub fn settings(&self) -> Vec<String> {
-        let mut step = (self.make)();
-        let mut view = step.view();
-        let mut controls = controls(&mut *step, &mut view);
-        let mut taken = |change: &&Change| {
-            let is_it = |control: &&mut Control<'_>| change.is_of(control);
-            controls.iter_mut().find(is_it).is_some_and(|it| it.set(&change.value).is_ok())
-        };
-        let changes: Vec<&Change> = self.changes.iter().filter(&mut taken).collect();
-        let setting = |change: &&Change| format!("{}={}", change.name, change.value);
-        let free = changes.iter().filter(|change| change.of.is_none());
-        let mut settings: Vec<String> = free.map(setting).collect();
-        let mut kinds: Vec<&str> = Vec::new();
-        for (kind, _) in controls.iter().filter_map(|control| control.of) {
-            if !kinds.contains(&kind) {
-                kinds.push(kind);
-            }
-        }
-        for kind in kinds {
-            let names = all(&controls, kind);
-            let words = words(&names);
-            let mut shown = 0;
-            let mut show = |place: usize, settings: &mut Vec<String>| {
-                if place != shown {
-                    settings.push(format!("{kind}={}", words[place]));
-                    shown = place;
-                }
-            };
-            for (place, which) in names.iter().enumerate() {
-                let its = || changes.iter().filter(|change| change.of == Some((kind, which)));
-                if its().next().is_some() {
-                    show(place, &mut settings);
-                    settings.extend(its().map(setting));
-                }
-            }
-            show(choice(&self.chosen, kind, &names), &mut settings);
-        }
-        settings
+        let changed = self.list().into_iter().filter(|setting| setting.changed);
+        changed.map(|Setting { name, control, .. }| format!("{name}={}", control.exact())).collect()
     }
 }
 
@@ -395,68 +351,9 @@ impl Setup {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Handle {
     /// Whose point it is, if several objects have one: what these are, and which of them.
-    pub of: Option<(&'static str, &'static str)>,
+    pub of: Option<Owner>,
     /// The point's name, as in `name.x`.
     pub name: &'static str,
     /// Where it is.
     pub position: Vec3,
-}
-
-impl Setting {
-    fn new(control: &Control<'_>, changed: bool) -> Self {
-        Self {
-            name: control.name.clone(),
-            group: control.group,
-            of: control.of.map(|of| of.0),
-            axis: control.axis,
-            text: control.text(),
-            fraction: control.fraction(),
-            takes: control.takes(),
-            options: control.options(),
-            changed,
-        }
-    }
-
-    fn choice(kind: &str, group: &'static str, names: Vec<&'static str>, place: usize) -> Self {
-        let words = words(&names);
-        Self {
-            name: kind.to_owned(),
-            group,
-            of: None,
-            axis: None,
-            text: words[place].to_owned(),
-            fraction: place as f32 / (names.len() - 1).max(1) as f32,
-            takes: words.join(" | "),
-            options: names,
-            changed: place > 0,
-        }
-    }
-}
-
-/// The objects of `kind`.
-fn all(controls: &[Control<'_>], kind: &str) -> Vec<&'static str> {
-    let mut names = Vec::new();
-    for (other, which) in controls.iter().filter_map(|control| control.of) {
-        if other == kind && !names.contains(&which) {
-            names.push(which);
-        }
-    }
-    names
-}
-
-/// What each of `names` is called on a command line: its first word, or all of it where another
-/// one has that word too.
-fn words(names: &[&'static str]) -> Vec<&'static str> {
-    let word = |name: &&'static str| {
-        let word = first_word(name);
-        let same = names.iter().filter(|other| first_word(other) == word).count();
-        if same > 1 { name } else { word }
-    };
-    names.iter().map(word).collect()
-}
-
-/// Which of `names`, all of `kind`, is chosen.
-fn choice(chosen: &[(&str, &str)], kind: &str, names: &[&str]) -> usize {
-    let chosen = chosen.iter().find(|of| of.0 == kind);
-    names.iter().position(|name| chosen.is_some_and(|of| of.1 == *name)).unwrap_or(0)
 }

@@ -70,6 +70,13 @@ pub(crate) fn viewing_ray(explanation: &Explanation) -> Option<Ray> {
     })
 }
 
+/// The name of what the viewing ray hits first, where it is one of several.
+pub(crate) fn hit_object(explanation: &Explanation) -> Option<&'static str> {
+    let scopes = explanation.told.all();
+    let hit = scopes.into_iter().find(|scope| matches!(scope.outcome, Outcome::Closest(_)));
+    hit.map(|scope| scope.name)
+}
+
 /// What can be seen in the world of an explanation, but the viewing ray itself: a unit vector is
 /// `unit` long, in world units. Of an object that is not the closest it is the hit alone, and what
 /// is told of two lights is there once.

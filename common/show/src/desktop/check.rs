@@ -111,31 +111,21 @@ impl Case {
             let case = Self { size: Size::new(width, height)?, backwards, settings };
             cases.extend(case.scene(make).is_ok().then_some(case));
         }
-        let views: Vec<String> = Setup::new(make.clone())
-            .view()
-            .clone()
-            .controls()
-            .iter()
-            .map(|c| c.name.clone())
-            .collect();
         let mut setup = Setup::new(make.clone());
         for setting in setup.list() {
-            if views.contains(&setting.name) {
+            if setting.control.group == "camera" {
                 continue;
             }
-            let last = setting.options.len().saturating_sub(1);
+            let last = setting.control.options().len().saturating_sub(1);
+            let start = setting.control.fraction();
             let fractions: Vec<f32> = match last {
-                0 if setting.fraction < 0.7 => vec![setting.fraction + 0.2],
+                0 if start < 0.7 => vec![start + 0.2],
                 0 => vec![0.25],
                 _ => (0..=last).map(|option| option as f32 / last as f32).collect(),
             };
-            for fraction in fractions.into_iter().filter(|fraction| *fraction != setting.fraction) {
+            for fraction in fractions.into_iter().filter(|fraction| *fraction != start) {
                 setup.set_fraction(&setting.name, fraction);
-                let mut settings = setup.settings();
-                // It ends by choosing the first object again.
-                if settings.len() > 1 && settings.first() == settings.last() {
-                    settings.pop();
-                }
+                let settings = setup.settings();
                 setup.reset_all();
                 cases.push(Self { size: Size::new(160, 90)?, backwards: false, settings });
             }

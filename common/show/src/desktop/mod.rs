@@ -1,9 +1,13 @@
 //! What needs a desktop: the command line, files and the window.
 
+mod arguments;
 mod check;
 mod command_line;
 mod drawing;
 mod file;
+mod help;
+mod job;
+mod key;
 mod progress;
 mod window;
 

@@ -1,3 +1,5 @@
+//! The window: a session with a clock, threads and files.
+
 use std::collections::VecDeque;
 use std::env;
 use std::mem;
@@ -24,9 +26,9 @@ use super::command_line::print;
 use super::command_line::report;
 use super::drawing::Drawing;
 use super::file;
+use super::key::session_key;
 use crate::Effect;
 use crate::Event;
-use crate::Key;
 use crate::Session;
 use crate::Wanted;
 use common::Size;
@@ -129,7 +131,7 @@ impl Window {
     /// When the window system, or standard output, fails.
     pub(crate) fn run(self, session: Session, samples: usize) -> Result<()> {
         let size = self.size().context(text!("the window has no size"))?;
-        let titled = session.program().title();
+        let titled = session.desk().program().title();
         Shell {
             window: self,
             session,
@@ -267,15 +269,15 @@ impl Shell {
 
     /// Starts the pictures that the session wants.
     fn restart(&mut self) {
-        let title = self.session.program().title();
+        let title = self.session.desk().program().title();
         if self.titled != title {
             self.window.window.set_title(&title);
             self.titled = title;
         }
-        let wanted = self.session.pictures();
+        let (wanted, size) = (self.session.desk().pictures(), self.session.shown_size());
         let draft = PERIOD.saturating_sub(self.window.cost).max(PERIOD / 4) / wanted.len() as u32;
         let mut drawings = mem::take(&mut self.drawings);
-        for Wanted { camera, size, program, .. } in wanted {
+        for Wanted { camera, program, .. } in wanted {
             let place = drawings.iter().position(|(other, _)| *other == program);
             let drawing = match place {
                 Some(place) => {
@@ -290,7 +292,7 @@ impl Shell {
     }
 
     fn work(&mut self) {
-        let wanted = self.session.pictures();
+        let wanted = self.session.desk().pictures();
         for (wanted, (_, drawing)) in wanted.iter().zip(&mut self.drawings) {
             if drawing.work(wanted.setup.step()) {
                 self.done.push_back(Instant::now());
@@ -420,11 +422,15 @@ impl Shell {
                 }
                 Effect::Repaint => self.repaint = true,
                 Effect::Print(text) => print(&text)?,
+                // A session says that in its window.
+                Effect::Say(_) => {}
                 Effect::Save => {
+                    let desk = self.session.desk();
+                    let size = desk.picture_size();
                     let drawing = |wanted: Wanted<'_>| {
-                        Drawing::new(wanted.size, self.samples, wanted.camera, Duration::MAX)
+                        Drawing::new(size, self.samples, wanted.camera, Duration::MAX)
                     };
-                    self.saving = Some(self.session.saved().into_iter().map(drawing).collect());
+                    self.saving = Some(desk.pictures().into_iter().map(drawing).collect());
                     self.session.handle(Event::Say(
                         text!("saved as soon as it is complete; Esc quits").to_owned(),
                     ));
@@ -441,14 +447,14 @@ impl Shell {
         let Some(mut drawings) = self.saving.take() else {
             return Ok(());
         };
-        for (wanted, drawing) in self.session.saved().iter().zip(&mut drawings) {
+        for (wanted, drawing) in self.session.desk().pictures().iter().zip(&mut drawings) {
             drawing.work(wanted.setup.step());
         }
         if !drawings.iter().all(Drawing::is_complete) {
             self.saving = Some(drawings);
             return Ok(());
         }
-        let name = self.session.program().name;
+        let name = self.session.desk().program().name;
         let pictures = drawings.into_iter().map(Drawing::into_picture).collect();
         let picture = self.session.written(pictures);
         let done = match file::save_new_png(&picture, name) {
@@ -461,51 +467,4 @@ impl Shell {
         report(name, &done);
         self.tell(Event::Say(done)).map(|_| ())
     }
-}
-
-/// The session's name for a key.
-fn session_key(key: minifb::Key) -> Option<Key> {
-    use minifb::Key as K;
-
-    const LETTERS: [(K, char); 16] = [
-        (K::C, 'C'),
-        (K::D, 'D'),
-        (K::G, 'G'),
-        (K::O, 'O'),
-        (K::P, 'P'),
-        (K::V, 'V'),
-        (K::X, 'X'),
-        (K::Key1, '1'),
-        (K::Key2, '2'),
-        (K::Key3, '3'),
-        (K::Key4, '4'),
-        (K::Key5, '5'),
-        (K::Key6, '6'),
-        (K::Key7, '7'),
-        (K::Minus, '-'),
-        (K::Equal, '+'),
-    ];
-    Some(match key {
-        K::Up => Key::Up,
-        K::Down => Key::Down,
-        K::Left => Key::Left,
-        K::Right => Key::Right,
-        K::Home => Key::Home,
-        K::Backspace => Key::Backspace,
-        K::Delete => Key::Delete,
-        K::Space => Key::Space,
-        K::Enter | K::NumPadEnter => Key::Enter,
-        K::Escape => Key::Escape,
-        K::Tab => Key::Tab,
-        K::PageUp => Key::PageUp,
-        K::PageDown => Key::PageDown,
-        K::F1 => Key::F(1),
-        K::F2 => Key::F(2),
-        K::F3 => Key::F(3),
-        K::F4 => Key::F(4),
-        K::F11 => Key::F(11),
-        K::NumPadPlus => Key::Char('+'),
-        K::NumPadMinus => Key::Char('-'),
-        _ => Key::Char(LETTERS.iter().find(|(letter, _)| *letter == key)?.1),
-    })
 }

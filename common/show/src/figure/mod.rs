@@ -7,6 +7,8 @@ use std::rc::Rc;
 
 use crate::Program;
 use crate::Sight;
+use crate::control::AXES;
+use common::Adjustable;
 use common::Anchor;
 use common::Area;
 use common::Camera;
@@ -16,6 +18,7 @@ use common::Controls;
 use common::Font;
 use common::Image;
 use common::Ink;
+use common::Kind;
 use common::Pixel;
 use common::Ray;
 use common::Recorder;
@@ -81,6 +84,32 @@ impl Camera for PanelCamera<'_> {
     fn project(&self, point: Vec3) -> Option<(f32, f32)> {
         let (u, v) = self.camera.project(point)?;
         Some((0.5 + (u - 0.5) / self.horizontal, 0.5 + (v - 0.5) / self.vertical))
+    }
+}
+
+/// Shows the controls with these names alone.
+struct Only<'a> {
+    names: &'static [&'static str],
+    to: &'a mut dyn Controls,
+}
+
+impl Controls for Only<'_> {
+    fn group(&mut self, name: &'static str) {
+        self.to.group(name);
+    }
+
+    fn group_of(&mut self, name: &'static str, kind: &'static str, which: &'static str) {
+        self.to.group_of(name, kind, which);
+    }
+
+    fn visit(&mut self, name: &'static str, kind: Kind, value: &mut dyn Adjustable) {
+        let is_named = |known: &str| match kind {
+            Kind::Axis(axis, _) => known.split_once('.') == Some((name, AXES[axis])),
+            _ => known == name,
+        };
+        if self.names.iter().any(|known| is_named(known)) {
+            self.to.visit(name, kind, value);
+        }
     }
 }
 
@@ -272,16 +301,12 @@ impl<L: Step + Clone> Step for Figure<L> {
         self.view.clone()
     }
 
-    fn controls(&mut self) -> Controls<'_> {
-        let mut controls = Controls::new();
-        controls.count("panel", 0..=self.panels.len(), &mut self.shown);
+    fn controls(&mut self, to: &mut dyn Controls) {
+        to.count("panel", 0..=self.panels.len(), &mut self.shown);
         if let Some(slider) = &mut self.slider {
-            controls.number(slider.name, slider.range.clone(), &mut slider.value);
+            to.number(slider.name, slider.range.clone(), &mut slider.value);
         }
-        let mut known = self.lesson.controls();
-        known.retain(|control| self.controls.contains(&control.name.as_str()));
-        controls.extend(known);
-        controls
+        self.lesson.controls(&mut Only { names: self.controls, to });
     }
 
     fn render(&self, camera: &dyn Camera, image: &mut Image<'_>) {

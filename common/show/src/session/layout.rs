@@ -1,3 +1,5 @@
+//! Where things have their place in a window.
+
 use common::Area;
 use common::Size;
 

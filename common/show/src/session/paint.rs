@@ -1,53 +1,33 @@
+//! A window's picture, whole.
+
 use image::RgbImage;
 
-use super::Compare;
-use super::Program;
-use super::Reading;
 use super::Session;
-use super::event::KEYS;
-use super::event::LECTURE_KEYS;
 use super::layout::Layout;
 use super::panel::ACCENT;
-use super::panel::ADDED;
 use super::panel::BACKGROUND;
 use super::panel::FAINT;
-use super::panel::Fold;
-use super::panel::Panel;
-use super::panel::Row;
 use super::panel::TEXT;
 use super::panel::draw_text;
+use crate::Compare;
 use crate::Outside;
-use crate::Setting;
+use crate::Program;
 use crate::Sight;
 use crate::draw_vectors;
-use crate::symbol_ink;
 use common::Anchor;
 use common::Area;
 use common::Canvas;
-use common::Explanation;
 use common::Font;
 use common::Ink;
-use common::Line;
-use common::Outcome;
-use common::Part;
-use common::Scope;
-use common::Value;
 use common::count_off;
-use common::encode;
 use common::text;
-use common::translated;
-
-const CAMERA: &str = "camera";
-
-/// What a diff takes away.
-const REMOVED: Ink = Ink::new(255, 160, 150);
 
 impl Session {
     /// Paints a window: the [`pictures`](Self::pictures), which may still be of another size, with
     /// all that there is to be seen beside and over them. `status` is a word on how the pictures
     /// were made.
-    pub fn paint(&mut self, window: &mut RgbImage, pictures: &[&RgbImage], status: &str) {
-        self.language.speak();
+    pub fn paint(&self, window: &mut RgbImage, pictures: &[&RgbImage], status: &str) {
+        self.desk.language().speak();
         let layout = self.layout();
         let mut canvas = Canvas::new(window);
         canvas.fill(canvas.area(), BACKGROUND);
@@ -85,8 +65,9 @@ impl Session {
             pictures.iter().for_each(|picture| canvas.picture(picture, area));
             return None;
         };
-        canvas.picture(&self.compare.composed(before, this), area);
-        match self.compare {
+        let compare = self.desk.compare();
+        canvas.picture(&compare.composed(before, this), area);
+        match compare {
             Compare::Off => None,
             Compare::Divided(part) => {
                 let at = area.left + (part * area.width).round();
@@ -101,22 +82,22 @@ impl Session {
     }
 
     /// What is told of the pinned pixel with a place in the world; outside, the camera too.
-    pub(super) fn paint_vectors(&mut self, canvas: &mut Canvas<'_>, area: Area, text_size: f32) {
-        let points = self.points();
-        let explanation = self.explanation().filter(|_| self.vectors);
-        let (step, view) = (self.setup.step(), self.setup.view());
+    pub(super) fn paint_vectors(&self, canvas: &mut Canvas<'_>, area: Area, text_size: f32) {
+        let points = self.desk.points();
+        let explanation = self.desk.explanation().filter(|_| self.desk.vectors());
+        let (step, view) = (self.desk.setup().step(), self.desk.setup().view());
         let mut canvas = canvas.clipped(area);
-        if let Some(onlooker) = &self.onlooker {
+        if let Some(onlooker) = self.desk.onlooker() {
             let onlooker = onlooker.camera(area.width / area.height);
             let outside = Outside { step, view, onlooker: &*onlooker, area };
             return outside.draw(&mut canvas, explanation.as_ref(), &points, text_size);
         }
-        if explanation.is_some() {
-            let camera = view.camera(self.picture.aspect());
+        if explanation.is_some() || !points.is_empty() {
+            let camera = view.camera(self.desk.picture_size().aspect());
             let sight = Sight { step, camera: &*camera, area };
             draw_vectors(&mut canvas, sight, explanation.as_ref(), &points, text_size);
         }
-        if let Some((u, v)) = self.pinned {
+        if let Some((u, v)) = self.desk.pin() {
             let at = (area.left + u * area.width, area.top + v * area.height);
             let unit = text_size / 10.0;
             canvas.ring(at, 4.0 * unit, 2.4 * unit, Ink::BLACK);
@@ -133,8 +114,8 @@ impl Session {
         let below = Area { height: canvas.area().height - area.top, ..area };
         let mut canvas = canvas.clipped(below);
         let area = area.inset(0.4 * em);
-        let Program { name, slides, .. } = self.program();
-        let (concept, _) = self.program().told();
+        let Program { name, slides, .. } = self.desk.program();
+        let (concept, _) = self.desk.program().told();
         if area.height < 5.0 * row {
             let whole = format!("{name}   {concept}");
             // What comes after the colon says it more precisely.
@@ -171,186 +152,6 @@ impl Session {
             canvas.text_within(at, Anchor::BottomLeft, em, FAINT, status, area.width);
         }
     }
-
-    /// The controls; none while the picture is alone.
-    pub(super) fn controls(&mut self) -> Option<Panel> {
-        let layout = self.layout();
-        let area = layout.beside?.controls;
-        let rows = self.control_rows();
-        Some(Panel::new(area, layout.em, rows, self.scroll))
-    }
-
-    pub(super) fn reading_panel(&self) -> Option<Panel> {
-        let layout = self.layout();
-        let area = layout.beside?.reading?;
-        Some(Panel::new(area, layout.em, self.reading_rows(), self.reading_scroll))
-    }
-
-    /// The step's own controls first, those of earlier steps by step, the camera's last. Where
-    /// several objects have the same controls, the choice between them stands before.
-    pub(super) fn control_rows(&mut self) -> Vec<Row> {
-        let settings = self.setup.list();
-        let mut groups: Vec<&'static str> = Vec::new();
-        for setting in &settings {
-            if !groups.contains(&setting.group) {
-                groups.push(setting.group);
-            }
-        }
-        let own = groups.iter().rposition(|group| *group != CAMERA).unwrap_or(0);
-        if own < groups.len() {
-            let own = groups.remove(own);
-            self.own_group = own;
-            groups.insert(0, own);
-        }
-        let mut rows: Vec<Row> = Vec::new();
-        for group in groups {
-            let open = self.is_open(Fold::Controls(group), self.own_group == group);
-            if !group.is_empty() {
-                let fold = Fold::Controls(group);
-                rows.push(Row::Heading {
-                    fold,
-                    text: translated(group),
-                    value: String::new(),
-                    open,
-                    faint: false,
-                    new: false,
-                });
-            }
-            if !open {
-                continue;
-            }
-            let its: Vec<&Setting> =
-                settings.iter().filter(|setting| setting.group == group).collect();
-            for setting in &its {
-                let choice =
-                    settings.iter().find(|choice| setting.of == Some(choice.name.as_str()));
-                for setting in choice.into_iter().chain([*setting]) {
-                    let row = Row::Control(setting.clone());
-                    if !rows.iter().any(|other| other.target() == row.target()) {
-                        rows.push(row);
-                    }
-                }
-            }
-        }
-        rows
-    }
-
-    /// What is to be read: the pinned pixel's explanation, or another text.
-    pub(super) fn reading_rows(&self) -> Vec<Row> {
-        match self.reading {
-            Reading::Pixel => {
-                self.explanation().map_or(Vec::new(), |explanation| self.explained(&explanation))
-            }
-            Reading::Keys => {
-                let lecture = if self.programs.len() > 1 { LECTURE_KEYS } else { &[] };
-                KEYS.iter()
-                    .chain(lecture)
-                    .map(|(key, effect)| Row::Key(translated(key), translated(effect)))
-                    .collect()
-            }
-            Reading::Diff => diff_rows(self.program().diff),
-            Reading::Idea => {
-                let lines = self.program().told().1.lines();
-                let ink = |line: &str| if line.starts_with(' ') { ACCENT } else { TEXT };
-                lines.map(|line| Row::Text(line.to_owned(), ink(line))).collect()
-            }
-        }
-    }
-
-    /// The last section first.
-    pub(super) fn explained(&self, explanation: &Explanation) -> Vec<Row> {
-        let rgb = encode(explanation.color);
-        let [r, g, b] = rgb;
-        let (col, row) = (explanation.pixel.col, explanation.pixel.row);
-        let mut rows = vec![Row::Pixel { text: format!("({col}, {row}): {r}, {g}, {b}"), rgb }];
-        let before = self.before.as_ref().and_then(|before| self.explanation_of(before));
-        let told = |section: &'static str, line: &Line| {
-            before.as_ref().is_none_or(|before| {
-                let mut same = before.told.scopes().filter(|scope| scope.name == section);
-                same.any(|scope| {
-                    scope.all_lines().iter().any(|other| other.equation == line.equation)
-                })
-            })
-        };
-        for (place, section) in explanation.told.scopes().rev().enumerate() {
-            let fold = Fold::Section(section.name);
-            let open = self.is_open(fold, place == 0);
-            let is_new = |line: &Line| !told(section.name, line);
-            let new = !open && section.all_lines().into_iter().any(is_new);
-            let (text, value) = (translated(section.name), String::new());
-            rows.push(Row::Heading { fold, text, value, open, faint: false, new });
-            if open {
-                self.rows_of(section, section.name, &mut 0, &is_new, &mut rows);
-            }
-        }
-        rows
-    }
-
-    /// The rows of what is told of `scope`; `count` counts the scopes within the section.
-    fn rows_of(
-        &self, scope: &Scope, section: &'static str, count: &mut usize,
-        is_new: &impl Fn(&Line) -> bool, rows: &mut Vec<Row>,
-    ) {
-        for part in &scope.parts {
-            match part {
-                Part::Line(line) => {
-                    let equation = translated(line.equation);
-                    let ink = symbol_ink(line.symbol()).unwrap_or(FAINT);
-                    let (values, new) = (line.value.texts(), is_new(line));
-                    rows.push(Row::Line { equation, ink, values, new });
-                }
-                Part::Scope(inner) => {
-                    let fold = Fold::Scope(section, *count);
-                    *count += 1;
-                    let open = self.is_open(fold, inner.is_open());
-                    let value = match inner.outcome {
-                        Outcome::Told => String::new(),
-                        Outcome::Missed(why, _) => translated(why).to_owned(),
-                        Outcome::Closest(t) | Outcome::Farther(t) => {
-                            format!("t = {}", Value::Number(t).texts().concat().trim())
-                        }
-                    };
-                    let faint = !inner.is_open();
-                    let new = !open && inner.all_lines().into_iter().any(is_new);
-                    let text = translated(inner.name);
-                    rows.push(Row::Heading { fold, text, value, open, faint, new });
-                    if open {
-                        self.rows_of(inner, section, count, is_new, rows);
-                    }
-                }
-            }
-        }
-    }
-}
-
-/// A diff as it is read: of what stands before a file's lines its name is enough, and what all
-/// lines in a place are indented by is left away.
-fn diff_rows(diff: &str) -> Vec<Row> {
-    let is_read = |line: &&str| !line.starts_with("diff ") && !line.starts_with("--- ");
-    let lines: Vec<&str> = diff.lines().filter(is_read).collect();
-    let is_code = |line: &str| line.starts_with(['+', '-', ' ']) && !line.starts_with("+++ ");
-    let mut rows = Vec::new();
-    for part in lines.chunk_by(|line, next| is_code(line) == is_code(next)) {
-        let inner = part.iter().filter_map(|line| line.get(1..)).filter(|line| !line.is_empty());
-        let spaces = inner.map(|line| line.len() - line.trim_start().len()).min().unwrap_or(0);
-        for line in part {
-            rows.push(match (line.strip_prefix("+++ b/"), line.split_at_checked(1)) {
-                (Some(file), _) => Row::Text(file.to_owned(), ACCENT),
-                (None, Some(("@", _))) => Row::Text("…".to_owned(), FAINT),
-                (None, Some((sign, code))) => {
-                    let ink = match sign {
-                        "+" => ADDED,
-                        "-" => REMOVED,
-                        _ => FAINT,
-                    };
-                    let code = code.get(spaces..).unwrap_or_default();
-                    Row::Text(format!("{sign}{code}"), ink)
-                }
-                (None, None) => Row::Text(String::new(), FAINT),
-            });
-        }
-    }
-    rows
 }
 
 /// A word over the picture, at its lower edge.

@@ -1,3 +1,5 @@
+//! A list of rows, scrolled.
+
 use crate::Setting;
 use common::Anchor;
 use common::Area;
@@ -344,12 +346,12 @@ impl Panel {
             Row::Control(setting) => {
                 let slider = self.slider(row);
                 let name = slider.left - area.left - 0.5 * em;
-                canvas.text_within(middle, Anchor::Left, em, TEXT, &setting.name, name);
+                canvas.text_within(middle, Anchor::Left, em, TEXT, &setting.control.name, name);
                 let ink = if setting.changed { ACCENT } else { TEXT };
                 let value = area.right() - slider.right() - 0.5 * em;
-                canvas.text_within(right, Anchor::Right, em, ink, &setting.text, value);
+                canvas.text_within(right, Anchor::Right, em, ink, &setting.control.text(), value);
                 canvas.fill(slider, GROOVE);
-                let length = setting.fraction * slider.width;
+                let length = setting.control.fraction() * slider.width;
                 canvas.fill(Area { width: length, ..slider }, BAR);
                 let knob = (slider.left + length, middle.1);
                 canvas.disc(knob, 0.34 * em, ink);

@@ -1,10 +1,10 @@
-use std::mem;
+//! What a session writes to a file.
 
 use image::Rgb;
 use image::RgbImage;
 
 use super::Session;
-use super::Wanted;
+use super::explained::Told;
 use super::panel::BACKGROUND;
 use super::panel::Fold;
 use super::panel::Panel;
@@ -24,27 +24,21 @@ const COLUMN: f32 = 18.0;
 const LEAST_HEIGHT: f32 = 26.0;
 
 impl Session {
-    /// The pictures that [`written`](Self::written) takes: those that are shown, at the size that
-    /// was asked for.
-    pub fn saved(&self) -> Vec<Wanted<'_>> {
-        self.wanted(self.picture)
-    }
-
-    /// What is written to a file: the [`saved`](Self::saved) pictures as they are compared, with the
+    /// What is written to a file: the desk's pictures at its own size as they are compared, with the
     /// pinned pixel's rays and vectors, or the camera from outside. To the right of a pinned pixel's
     /// picture stand its equations, in as many columns as they take.
-    pub fn written(&mut self, mut pictures: Vec<RgbImage>) -> RgbImage {
-        self.language.speak();
+    pub fn written(&self, mut pictures: Vec<RgbImage>) -> RgbImage {
+        self.desk.language().speak();
         let this = pictures.pop().unwrap_or_default();
-        let picture = pictures.pop().map(|before| self.compare.composed(&before, &this));
+        let picture = pictures.pop().map(|before| self.desk.compare().composed(&before, &this));
         let mut picture = picture.unwrap_or(this);
         let area = Canvas::new(&mut picture).area();
         let shorter = area.height.min(0.75 * area.width);
         let [em, label] = [TEXT, LABEL].map(|part| (part * shorter).clamp(SIZES.0, SIZES.1));
-        if self.vectors || self.onlooker.is_some() {
+        if self.desk.vectors() || self.desk.onlooker().is_some() {
             self.paint_vectors(&mut Canvas::new(&mut picture), area, label);
         }
-        if self.pinned.is_none() || !self.vectors {
+        if self.desk.pin().is_none() || !self.desk.vectors() {
             return picture;
         }
         let height = area.height.max(LEAST_HEIGHT * em).ceil();
@@ -60,38 +54,32 @@ impl Session {
 
     /// The pinned pixel's explanation in columns: its last section, and of those before as many as
     /// take no column more; where the last says no more than a colour, the one before it in any case.
-    fn columns(&mut self, first: Area, em: f32) -> Vec<Panel> {
-        let folds = mem::take(&mut self.folds);
-        let explanation = self.explanation();
-        let sections = explanation.iter().flat_map(|explanation| explanation.told.scopes().rev());
-        let sections: Vec<_> = sections.collect();
-        let mut columns = columns_of(self.open_rows(), first, em);
+    fn columns(&self, first: Area, em: f32) -> Vec<Panel> {
+        let Some(told) = self.desk.explanation() else { return Vec::new() };
+        let columns_with = |folds: &[Fold]| {
+            let folds: Vec<(Fold, bool)> = folds.iter().map(|fold| (*fold, true)).collect();
+            let told = Told { explanation: &told, before: None, folds: &folds };
+            let mut rows = told.rows();
+            let folded =
+                |row: &Row| matches!(row, Row::Heading { fold: Fold::Section(_), open: false, .. });
+            rows.retain(|row| !folded(row));
+            columns_of(rows, first, em)
+        };
+        let sections: Vec<_> = told.told.scopes().rev().collect();
         let last = sections.first().map_or(0, |section| section.all_lines().len());
+        let mut open = Vec::new();
+        let mut columns = columns_with(&open);
         for (place, section) in sections.iter().enumerate().skip(1) {
-            self.folds.push((Fold::Section(section.name), true));
-            let more = columns_of(self.open_rows(), first, em);
+            open.push(Fold::Section(section.name));
+            let more = columns_with(&open);
             let wanted = place == 1 && last <= 1;
             if more.len() > columns.len() && !wanted {
-                self.folds.pop();
+                open.pop();
             } else {
                 columns = more;
             }
         }
-        self.folds = folds;
         columns
-    }
-
-    /// The explanation's rows without the headings of folded sections. What is new in it is not
-    /// marked: no step before is seen beside it.
-    fn open_rows(&self) -> Vec<Row> {
-        let mut rows = self.explanation().map_or(Vec::new(), |told| self.explained(&told));
-        rows.retain(|row| !matches!(row, Row::Heading { fold: Fold::Section(_), open: false, .. }));
-        for row in &mut rows {
-            if let Row::Heading { new, .. } | Row::Line { new, .. } = row {
-                *new = false;
-            }
-        }
-        rows
     }
 }
 

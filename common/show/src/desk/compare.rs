@@ -1,12 +1,16 @@
+//! The step before beside this one.
+
 use common::magnified;
 use image::RgbImage;
 
 /// How the step before is compared with.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Compare {
+pub enum Compare {
+    /// Not at all.
     Off,
     /// Left of this part of the width, 0 to 1, is the step before.
     Divided(f32),
+    /// How far each pixel is from the step before's.
     Difference,
 }
 

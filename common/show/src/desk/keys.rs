@@ -1,0 +1,194 @@
+//! The keys: what each does, in every shell.
+
+use super::Act;
+use super::Reading;
+use common::translated;
+
+/// A key that a shell knows.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Key {
+    /// The arrow.
+    Up,
+    /// The arrow.
+    Down,
+    /// The arrow.
+    Left,
+    /// The arrow.
+    Right,
+    /// To the start.
+    Home,
+    /// Takes one thing back.
+    Backspace,
+    /// The same as [`Backspace`](Self::Backspace).
+    Delete,
+    /// The space bar.
+    Space,
+    /// The large key.
+    Enter,
+    /// Leaves.
+    Escape,
+    /// The one beside Q.
+    Tab,
+    /// To the step before.
+    PageUp,
+    /// To the next step.
+    PageDown,
+    /// F1 and so on.
+    F(u8),
+    /// What the key writes, as a capital letter: `P`, `3`, `+`.
+    Char(char),
+}
+
+/// What a key does.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Does {
+    /// Something that is done in the class.
+    Act(Act),
+    /// Something as long as the key is down, and something when it is let go.
+    While(Act, Act),
+    /// Something with what the shell shows beside the picture, or with where its pointer is.
+    Shell(Hand),
+}
+
+/// What only a shell can do, as it knows what is where on its screen.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Hand {
+    /// Selects the control or heading before.
+    Before,
+    /// Selects the one after.
+    After,
+    /// Makes the selected control less, or folds the heading.
+    Less,
+    /// Makes it more, or unfolds it.
+    More,
+    /// Resets the selected control.
+    Reset,
+    /// Pins the pixel under the pointer.
+    Pin,
+    /// The picture alone, or all beside it.
+    Alone,
+    /// Larger text.
+    Larger,
+    /// Smaller text.
+    Smaller,
+}
+
+/// A row of the table of keys.
+pub struct Row {
+    /// The keys, as they are listed.
+    pub keys: &'static str,
+    /// What they do, as it is listed.
+    pub effect: &'static str,
+    /// Whether it takes several steps.
+    pub lecture: bool,
+    /// Each key with what it does; none of what a mouse does.
+    pub does: Vec<(Key, Does)>,
+}
+
+impl Row {
+    /// The keys and what they do, in the language that is spoken.
+    pub fn listed(&self) -> (&'static str, &'static str) {
+        (translated(self.keys), translated(self.effect))
+    }
+}
+
+/// All that keys and mouse do. It makes the dispatch, the help and the lists of keys.
+pub fn table() -> Vec<Row> {
+    let row = |keys, effect, does| Row { keys, effect, lecture: false, does };
+    let lecture = |keys, effect, does| Row { keys, effect, lecture: true, does };
+    let act = |keys: &[Key], act: Act| -> Vec<(Key, Does)> {
+        keys.iter().map(|key| (*key, Does::Act(act.clone()))).collect()
+    };
+    let hand = |hands: &[(Key, Hand)]| -> Vec<(Key, Does)> {
+        hands.iter().map(|(key, hand)| (*key, Does::Shell(*hand))).collect()
+    };
+    let letter = Key::Char;
+    let hold = || Does::While(Act::Hold(true), Act::Hold(false));
+    let steps =
+        ('1'..='9').zip(1..).map(|(digit, step)| (letter(digit), Does::Act(Act::Step(step))));
+    vec![
+        row(
+            "click, Enter, P",
+            "pin the pixel there: how it comes by its colour",
+            hand(&[(Key::Enter, Hand::Pin), (letter('P'), Hand::Pin)]),
+        ),
+        row("drag", "orbit; on a slider, change its control", Vec::new()),
+        row("wheel", "nearer or further; beside the picture, scroll", Vec::new()),
+        row(
+            "Up, Down",
+            "select a control or a heading",
+            hand(&[(Key::Up, Hand::Before), (Key::Down, Hand::After)]),
+        ),
+        row(
+            "Left, Right",
+            "change it; with Shift in fine steps",
+            hand(&[(Key::Left, Hand::Less), (Key::Right, Hand::More)]),
+        ),
+        row(
+            "Backspace",
+            "reset the selected control",
+            hand(&[(Key::Backspace, Hand::Reset), (Key::Delete, Hand::Reset)]),
+        ),
+        row("Home", "reset all controls", act(&[Key::Home], Act::ResetAll)),
+        row(
+            "Space",
+            "the picture alone, or with all beside it",
+            hand(&[(Key::Space, Hand::Alone)]),
+        ),
+        row(
+            "+, -",
+            "larger or smaller text",
+            hand(&[(letter('+'), Hand::Larger), (letter('-'), Hand::Smaller)]),
+        ),
+        row("V", "show or hide the rays and vectors", act(&[letter('V')], Act::Vectors)),
+        row("H", "show or hide what can be dragged", act(&[letter('H')], Act::Handles)),
+        row("O", "look from outside the camera, or through it", act(&[letter('O')], Act::Outside)),
+        row("C", "print the command that gives this picture", act(&[letter('C')], Act::Command)),
+        row("G", "all this in the next language", act(&[letter('G')], Act::NextLanguage)),
+        row(
+            "F1, K",
+            "show or hide these keys",
+            act(&[Key::F(1), letter('K')], Act::Read(Reading::Keys)),
+        ),
+        row("F2, S", "save the picture as a new PNG", act(&[Key::F(2), letter('S')], Act::Save)),
+        row("Esc", "unpin; with nothing pinned, quit", act(&[Key::Escape], Act::Leave)),
+        lecture(
+            "Page Down, Up",
+            "the next step, or the one before",
+            vec![(Key::PageDown, Does::Act(Act::Next)), (Key::PageUp, Does::Act(Act::Previous))],
+        ),
+        lecture("1, 2, 3 …", "that step", steps.collect()),
+        lecture(
+            "Tab, A",
+            "as long as it is held, the step before",
+            vec![(Key::Tab, hold()), (letter('A'), hold())],
+        ),
+        lecture(
+            "D",
+            "the step before left of a line that can be dragged",
+            act(&[letter('D')], Act::Divide),
+        ),
+        lecture(
+            "X",
+            "where the step before differs, times 8",
+            act(&[letter('X')], Act::Difference),
+        ),
+        lecture(
+            "F3, L",
+            "this step's diff",
+            act(&[Key::F(3), letter('L')], Act::Read(Reading::Diff)),
+        ),
+        lecture(
+            "F4, I",
+            "the idea in short",
+            act(&[Key::F(4), letter('I')], Act::Read(Reading::Idea)),
+        ),
+    ]
+}
+
+/// What `key` does; nothing where it has no meaning.
+pub fn does(key: Key) -> Option<Does> {
+    let rows = table();
+    let mut keys = rows.into_iter().flat_map(|row| row.does);
+    keys.find(|(other, _)| *other == key).map(|(_, does)| does)
+}

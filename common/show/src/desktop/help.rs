@@ -1,0 +1,83 @@
+//! What `--help` says.
+
+use std::fmt::Write as _;
+
+use super::arguments::MAX_SAMPLES;
+use super::command_line::Suite;
+use crate::Setting;
+use crate::Setup;
+use crate::keys;
+use common::View;
+use common::text;
+use common::translated;
+
+pub(super) fn help(suite: &Suite) -> String {
+    let Suite { name, concept, programs, page } = suite;
+    let (size, last) = (programs[0].size, programs.len());
+    let mut lecture = String::new();
+    if last > 1 {
+        lecture = text!(
+            "
+      --step N            begin with that step (1; at most {last})
+      --divide PART       the step before left of PART of the width, such as 0.5
+      --difference        how far each pixel is from the step before's, times 8",
+            last
+        );
+    }
+    if page.is_some() {
+        lecture += text!(
+            "
+      --page FILE         write all steps as one web page, to be opened by a double click"
+        );
+    }
+    let mut text = text!(
+        "{name}: {concept}
+
+Usage: {name} [OPTIONS]
+
+Without options it opens a window; with no display it writes {name}.png.
+
+Options:
+  -o, --output FILE       write a PNG, open no window; a name such as a.jpg is refused
+  -s, --size WxH          pixels ({size})
+      --camera KIND       {cameras}
+      --set NAME=VALUE    set a control, as its slider would; repeatable, applied in order
+      --samples N         N×N rays a pixel (1; at most {most})
+      --pixel X,Y         print that pixel's equations with their numbers; with -o, write the
+                          picture with its rays and vectors, and the equations beside it
+      --outside           with -o, write the camera as it is seen from outside; --set also takes
+                          outside.azimuth, outside.elevation and outside.distance
+      --compare FILE      render, say how far FILE is from it and where; exit 1 if they differ;
+                          with -o, write expected, found and difference side by side
+      --check STEP        is STEP's program now this one? compares many pictures, names the
+                          mistake; expected, found and difference go to check.png, or to -o;
+                          exit 1 if they differ; of this step itself, it checks the pixel loop{lecture}
+      --language pt|en    Portuguese or English; else the system's language
+  -h, --help              this text
+
+Controls (default):
+",
+        name,
+        concept = translated(concept),
+        size,
+        cameras = View::PROJECTIONS.join(" | "),
+        most = MAX_SAMPLES,
+        lecture
+    );
+    let mut listed: Vec<String> = Vec::new();
+    for Setting { name, control, .. } in
+        programs.iter().flat_map(|program| Setup::new(program.make.clone()).list())
+    {
+        if !listed.contains(&name) {
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "  {name:<16} {} ({})", control.takes(), control.text());
+            listed.push(name);
+        }
+    }
+    text.push_str(text!("\nIn the window:\n"));
+    for row in keys().into_iter().filter(|row| last > 1 || !row.lecture) {
+        let (keys, effect) = row.listed();
+        let _ = writeln!(text, "  {keys:<16} {effect}");
+    }
+    text
+}

@@ -1,0 +1,71 @@
+//! The names of minifb's keys.
+
+use crate::Key;
+
+/// The session's name for a key.
+pub(super) fn session_key(key: minifb::Key) -> Option<Key> {
+    use minifb::Key as K;
+
+    const LETTERS: [(K, char); 37] = [
+        (K::A, 'A'),
+        (K::B, 'B'),
+        (K::C, 'C'),
+        (K::D, 'D'),
+        (K::E, 'E'),
+        (K::F, 'F'),
+        (K::G, 'G'),
+        (K::H, 'H'),
+        (K::I, 'I'),
+        (K::J, 'J'),
+        (K::K, 'K'),
+        (K::L, 'L'),
+        (K::M, 'M'),
+        (K::N, 'N'),
+        (K::O, 'O'),
+        (K::P, 'P'),
+        (K::Q, 'Q'),
+        (K::R, 'R'),
+        (K::S, 'S'),
+        (K::T, 'T'),
+        (K::U, 'U'),
+        (K::V, 'V'),
+        (K::W, 'W'),
+        (K::X, 'X'),
+        (K::Y, 'Y'),
+        (K::Z, 'Z'),
+        (K::Key1, '1'),
+        (K::Key2, '2'),
+        (K::Key3, '3'),
+        (K::Key4, '4'),
+        (K::Key5, '5'),
+        (K::Key6, '6'),
+        (K::Key7, '7'),
+        (K::Key8, '8'),
+        (K::Key9, '9'),
+        (K::Minus, '-'),
+        (K::Equal, '+'),
+    ];
+    Some(match key {
+        K::Up => Key::Up,
+        K::Down => Key::Down,
+        K::Left => Key::Left,
+        K::Right => Key::Right,
+        K::Home => Key::Home,
+        K::Backspace => Key::Backspace,
+        K::Delete => Key::Delete,
+        K::Space => Key::Space,
+        K::Enter | K::NumPadEnter => Key::Enter,
+        K::Escape => Key::Escape,
+        K::Tab => Key::Tab,
+        K::PageUp => Key::PageUp,
+        K::PageDown => Key::PageDown,
+        K::F1 => Key::F(1),
+        K::F2 => Key::F(2),
+        K::F3 => Key::F(3),
+        K::F4 => Key::F(4),
+        K::F11 => Key::F(11),
+        K::NumPadPlus => Key::Char('+'),
+        K::NumPadMinus => Key::Char('-'),
+        _ => Key::Char(LETTERS.iter().find(|(letter, _)| *letter == key)?.1),
+    })
+}

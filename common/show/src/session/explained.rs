@@ -1,0 +1,95 @@
+//! The rows of a pixel's explanation.
+
+use super::panel::FAINT;
+use super::panel::Fold;
+use super::panel::Row;
+use crate::symbol_ink;
+use common::Explanation;
+use common::Line;
+use common::Outcome;
+use common::Part;
+use common::Scope;
+use common::Value;
+use common::encode;
+use common::translated;
+
+/// An explanation as it is read.
+pub(super) struct Told<'a> {
+    pub(super) explanation: &'a Explanation,
+    /// The step before's, beside which it is seen what is new.
+    pub(super) before: Option<&'a Explanation>,
+    /// What was folded or unfolded by hand.
+    pub(super) folds: &'a [(Fold, bool)],
+}
+
+impl Told<'_> {
+    /// The last section first.
+    pub(super) fn rows(&self) -> Vec<Row> {
+        let Explanation { pixel, color, told, .. } = self.explanation;
+        let rgb = encode(*color);
+        let [r, g, b] = rgb;
+        let (col, row) = (pixel.col, pixel.row);
+        let mut rows = vec![Row::Pixel { text: format!("({col}, {row}): {r}, {g}, {b}"), rgb }];
+        for (place, section) in told.scopes().rev().enumerate() {
+            let fold = Fold::Section(section.name);
+            let open = self.is_open(fold, place == 0);
+            let new = !open && self.has_new(section.name, section);
+            let (text, value) = (translated(section.name), String::new());
+            rows.push(Row::Heading { fold, text, value, open, faint: false, new });
+            if open {
+                self.add(section, section.name, &mut 0, &mut rows);
+            }
+        }
+        rows
+    }
+
+    fn is_open(&self, fold: Fold, usually: bool) -> bool {
+        self.folds.iter().find(|(other, _)| *other == fold).map_or(usually, |(_, open)| *open)
+    }
+
+    /// Whether the step before does not tell `line` in this section.
+    fn is_new(&self, section: &str, line: &Line) -> bool {
+        self.before.is_some_and(|before| {
+            let same = before.told.scopes().filter(|scope| scope.name == section);
+            let mut lines = same.flat_map(Scope::all_lines);
+            !lines.any(|other| other.equation == line.equation)
+        })
+    }
+
+    fn has_new(&self, section: &str, scope: &Scope) -> bool {
+        scope.all_lines().into_iter().any(|line| self.is_new(section, line))
+    }
+
+    /// Adds the rows of what is told of `scope`; `count` counts the scopes within the section.
+    fn add(&self, scope: &Scope, section: &'static str, count: &mut usize, rows: &mut Vec<Row>) {
+        for part in &scope.parts {
+            match part {
+                Part::Line(line) => {
+                    let equation = translated(line.equation);
+                    let ink = symbol_ink(line.symbol()).unwrap_or(FAINT);
+                    let (values, new) = (line.value.texts(), self.is_new(section, line));
+                    rows.push(Row::Line { equation, ink, values, new });
+                }
+                Part::Scope(inner) => {
+                    let fold = Fold::Scope(section, *count);
+                    *count += 1;
+                    let open = self.is_open(fold, inner.is_open());
+                    let value = match inner.outcome {
+                        Outcome::Told => String::new(),
+                        Outcome::Missed(why, _) => translated(why).to_owned(),
+                        Outcome::Closest(t) | Outcome::Farther(t) => {
+                            format!("t = {}", Value::Number(t).texts().concat().trim())
+                        }
+                    };
+                    let faint = !inner.is_open();
+                    let new = !open && self.has_new(section, inner);
+                    let text = translated(inner.name);
+                    rows.push(Row::Heading { fold, text, value, open, faint, new });
+                    if open {
+                        self.add(inner, section, count, rows);
+                    }
+                }
+            }
+        }
+    }
+}

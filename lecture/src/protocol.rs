@@ -1,0 +1,243 @@
+//! What a browser may ask, and what it is answered: as JSON.
+
+use serde::Deserialize;
+use serde::Serialize;
+use show::Act;
+use show::Handle;
+use show::Key;
+use show::Reading;
+
+/// Something that a browser asks of the steps' program.
+#[derive(Deserialize)]
+#[serde(tag = "ask", rename_all = "camelCase", deny_unknown_fields)]
+pub(crate) enum Ask {
+    /// Do something, on the desk or on the figure `on`.
+    Do {
+        on: Option<String>,
+        #[serde(rename = "do")]
+        what: What,
+    },
+    /// Do what a key does, when it goes down or up.
+    Key { key: String, down: bool },
+    /// What is shown now, on the desk or of the figure `of`; of the language the address says nothing
+    /// where it is the one of the locale `spoken`.
+    State { of: Option<String>, spoken: String },
+    /// How the pinned pixel comes by its colour.
+    Explain,
+    /// All keys.
+    Keys,
+    /// Which handle is at a place of the picture, no farther than `reach`: shares of its width.
+    Grab { at: (f32, f32), reach: f32 },
+    /// Rows of a picture, three bytes a pixel.
+    Rows { layer: Layer, size: (usize, usize), first: usize, count: usize },
+    /// The picture whose bytes follow the question, `drawn` pixels large, made as large as `size`, with
+    /// what is drawn over it where that is `marked`: four bytes a pixel.
+    Show { layer: Layer, size: (usize, usize), drawn: (usize, usize), marked: bool, text: f32 },
+}
+
+/// Whose picture it is.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) enum Layer {
+    Now,
+    Before,
+    Figure(String),
+}
+
+/// What can be done, as a browser says it.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) enum What {
+    Set(String, String),
+    Fraction(String, f32),
+    Nudge(String, f32),
+    Reset(String),
+    ResetAll,
+    Orbit(f32, f32),
+    Zoom(f32),
+    /// The place of the handle in the list, and where it goes.
+    Drag(usize, (f32, f32)),
+    Pin((f32, f32)),
+    MovePin(isize, isize),
+    Unpin,
+    Outside,
+    Vectors,
+    Handles,
+    Step(usize),
+    Hold(bool),
+    Divide,
+    DivideAt(f32),
+    Difference,
+    Language(String),
+    Open(String),
+}
+
+impl What {
+    /// The act, with the `handles` that can be dragged; none where there is no such handle.
+    pub(crate) fn act(self, handles: &[Handle]) -> Option<Act> {
+        Some(match self {
+            Self::Set(name, value) => Act::Set(name, value),
+            Self::Fraction(name, fraction) => Act::Fraction(name, fraction),
+            Self::Nudge(name, steps) => Act::Nudge(name, steps),
+            Self::Reset(name) => Act::Reset(name),
+            Self::ResetAll => Act::ResetAll,
+            Self::Orbit(right, up) => Act::Orbit(right, up),
+            Self::Zoom(factor) => Act::Zoom(factor),
+            Self::Drag(place, to) => Act::Drag(handles.get(place)?.clone(), to),
+            Self::Pin(at) => Act::Pin(at),
+            Self::MovePin(right, down) => Act::MovePin(right, down),
+            Self::Unpin => Act::Unpin,
+            Self::Outside => Act::Outside,
+            Self::Vectors => Act::Vectors,
+            Self::Handles => Act::Handles,
+            Self::Step(number) => Act::Step(number),
+            Self::Hold(holding) => Act::Hold(holding),
+            Self::Divide => Act::Divide,
+            Self::DivideAt(part) => Act::DivideAt(part),
+            Self::Difference => Act::Difference,
+            Self::Language(locale) => Act::Speak(common::Language::of_locale(&locale)),
+            Self::Open(address) => Act::Open(address),
+        })
+    }
+}
+
+/// The key that a browser calls `name`; none where it has no meaning here.
+pub(crate) fn key(name: &str) -> Option<Key> {
+    Some(match name {
+        "ArrowUp" => Key::Up,
+        "ArrowDown" => Key::Down,
+        "ArrowLeft" => Key::Left,
+        "ArrowRight" => Key::Right,
+        "Home" => Key::Home,
+        "Backspace" => Key::Backspace,
+        "Delete" => Key::Delete,
+        " " => Key::Space,
+        "Enter" => Key::Enter,
+        "Escape" => Key::Escape,
+        "Tab" => Key::Tab,
+        "PageUp" => Key::PageUp,
+        "PageDown" => Key::PageDown,
+        "=" => Key::Char('+'),
+        _ => {
+            let mut letters = name.chars();
+            match (letters.next()?, letters.as_str()) {
+                (letter, "") => Key::Char(letter.to_ascii_uppercase()),
+                ('F', number) => Key::F(number.parse().ok()?),
+                _ => return None,
+            }
+        }
+    })
+}
+
+/// What came of something that was done.
+#[derive(Default, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct Done {
+    /// The pictures are others.
+    pub(crate) redraw: bool,
+    /// What is beside and over them is another.
+    pub(crate) repaint: bool,
+    /// The picture is to be saved.
+    pub(crate) save: bool,
+    /// The command is to be shown.
+    pub(crate) command: bool,
+    /// What only the browser can do.
+    pub(crate) hand: Option<&'static str>,
+    /// What is to be said.
+    pub(crate) said: Option<String>,
+}
+
+/// What is shown now.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct State {
+    pub(crate) step: usize,
+    pub(crate) name: &'static str,
+    pub(crate) size: (usize, usize),
+    pub(crate) groups: Vec<Group>,
+    pub(crate) command: String,
+    pub(crate) address: String,
+    pub(crate) pin: Option<(usize, usize)>,
+    /// The pictures that are wanted: `now`, `before` or both.
+    pub(crate) layers: Vec<&'static str>,
+    pub(crate) vectors: bool,
+    pub(crate) handles: bool,
+    pub(crate) outside: bool,
+    pub(crate) holding: bool,
+    /// Where the divider is, if there is one.
+    pub(crate) divider: Option<f32>,
+    pub(crate) difference: bool,
+    pub(crate) reading: &'static str,
+    pub(crate) language: &'static str,
+}
+
+/// Controls that stand together.
+#[derive(Serialize)]
+pub(crate) struct Group {
+    pub(crate) name: &'static str,
+    pub(crate) open: bool,
+    pub(crate) settings: Vec<Setting>,
+}
+
+/// A control.
+#[derive(Serialize)]
+pub(crate) struct Setting {
+    /// What it is called among all, and what it is called in its group.
+    pub(crate) name: String,
+    pub(crate) label: String,
+    pub(crate) kind: &'static str,
+    pub(crate) text: String,
+    pub(crate) fraction: f32,
+    pub(crate) takes: String,
+    pub(crate) options: &'static [&'static str],
+    pub(crate) changed: bool,
+}
+
+impl From<show::Setting> for Setting {
+    fn from(setting: show::Setting) -> Self {
+        let show::Setting { name, control, changed } = setting;
+        let kind = match control.kind {
+            common::Kind::Switch => "switch",
+            common::Kind::Choice(_) => "choice",
+            common::Kind::Count(_) => "count",
+            _ => "number",
+        };
+        let (text, fraction, takes) = (control.text(), control.fraction(), control.takes());
+        let options = control.options();
+        Self { name, label: control.name, kind, text, fraction, takes, options, changed }
+    }
+}
+
+/// A part of an explanation.
+#[derive(Serialize)]
+#[serde(tag = "kind", rename_all = "camelCase")]
+pub(crate) enum Part {
+    /// A value: what it is found by, how it is shown, its symbol and that symbol's colour.
+    Line {
+        equation: &'static str,
+        shown: &'static str,
+        symbol: &'static str,
+        ink: Option<String>,
+        values: Vec<String>,
+    },
+    /// What is told of a thing.
+    Scope { name: &'static str, shown: &'static str, open: bool, outcome: String, parts: Vec<Part> },
+}
+
+/// How a pixel comes by its colour.
+#[derive(Serialize)]
+pub(crate) struct Explained {
+    pub(crate) parts: Vec<Part>,
+    /// As a screen shows it, 0 to 255.
+    pub(crate) seen: [u8; 3],
+}
+
+/// What a reading is called.
+pub(crate) fn reading(reading: Reading) -> &'static str {
+    match reading {
+        Reading::Pixel => "pixel",
+        Reading::Keys => "keys",
+        Reading::Diff => "diff",
+        Reading::Idea => "idea",
+    }
+}
