@@ -9,8 +9,6 @@ use std::path::Path;
 use std::path::PathBuf;
 use std::process::Output;
 
-use common::Language;
-use common::translated;
 use pulldown_cmark::CodeBlockKind;
 use pulldown_cmark::Event;
 use pulldown_cmark::HeadingLevel;
@@ -20,6 +18,8 @@ use pulldown_cmark::Tag;
 use pulldown_cmark::TagEnd;
 use show::KEYS;
 use show::LECTURE_KEYS;
+use show::Language;
+use show::translated;
 use tests::empty_folder;
 use tests::hold_picture;
 use tests::prelude::*;

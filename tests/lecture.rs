@@ -4,18 +4,18 @@
 use std::path::Path;
 use std::process::Output;
 
-use common::Frame;
-use common::Language;
-use common::Size;
 use image::Rgb;
 use image::RgbImage;
 use lecture::programs;
 use show::Effect;
 use show::Event;
+use show::Frame;
 use show::Key;
+use show::Language;
 use show::Program;
 use show::Session;
 use show::Setup;
+use show::Size;
 use show::Wanted;
 use tempfile::tempdir;
 use tests::STEPS;

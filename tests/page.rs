@@ -18,8 +18,6 @@ use std::thread;
 use browser::Browser;
 use browser::DRAWN;
 use browser::PAGE;
-use common::Frame;
-use common::Language;
 use common::Pixel;
 use common::View;
 use image::RgbImage;
@@ -27,6 +25,8 @@ use lecture::FIGURES;
 use lecture::PROGRAMS;
 use serde_json::Value;
 use serde_json::json;
+use show::Frame;
+use show::Language;
 use tests::read_picture;
 use tests::root;
 

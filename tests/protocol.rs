@@ -1,9 +1,9 @@
 //! What the page with all steps is answered, as a browser would ask, without one.
 
-use common::Frame;
-use common::Size;
 use lecture::PROGRAMS;
 use lecture::Page;
+use show::Frame;
+use show::Size;
 
 fn text(page: &mut Page, command: &str) -> String {
     let answer =

@@ -1,21 +1,15 @@
 //! What a step tells of a pixel, as a tree.
 
-use std::fmt;
-
 use crate::Color;
 use crate::Pixel;
 use crate::Ray;
 use crate::Value;
 use crate::Vec3;
-use crate::encode;
-use crate::text;
-use crate::translated;
 
 /// One pixel's equations with their numbers, in the slides' symbols and in the order in which they
 /// were computed: what a step tells a [`Recorder`](crate::Recorder).
 ///
-/// A plain value that any front end can show, fold and draw. As text no line is longer than 100
-/// characters.
+/// A plain value that any front end can show, fold and draw.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Explanation {
     /// The pixel spoken of.
@@ -232,53 +226,5 @@ impl Explanation {
             }
         }
         self.current_mut().outcome = Outcome::Closest(t);
-    }
-}
-
-/// Writes a scope, `depth` within the others.
-fn write(f: &mut fmt::Formatter<'_>, scope: &Scope, depth: usize) -> fmt::Result {
-    let indent = 2 * depth;
-    for part in &scope.parts {
-        match part {
-            Part::Line(line) => {
-                // A little deeper than the headings beside it, so that these stand out.
-                let (equation, indent) = (translated(line.equation), indent.max(4));
-                let width = 49_usize.saturating_sub(indent);
-                writeln!(f, "{:indent$}{equation:<width$}{}", "", line.value)?;
-            }
-            Part::Scope(inner) => {
-                let (name, width) = (translated(inner.name), 49_usize.saturating_sub(indent));
-                match inner.outcome {
-                    Outcome::Missed(why, condition) => {
-                        let (why, condition) = (translated(why), translated(condition));
-                        writeln!(f, "{:indent$}{name:<width$} {why}: {condition}", "")?;
-                    }
-                    Outcome::Farther(t) => {
-                        writeln!(f, "{:indent$}{name:<width$}{}", "", Value::Number(t))?;
-                    }
-                    Outcome::Told | Outcome::Closest(_) => {
-                        writeln!(f, "{:indent$}{name}", "")?;
-                        write(f, inner, depth + 1)?;
-                    }
-                }
-            }
-        }
-    }
-    Ok(())
-}
-
-impl fmt::Display for Explanation {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Pixel { col, row, width, height } = self.pixel;
-        writeln!(
-            f,
-            "{}",
-            text!("pixel ({col}, {row}) of {width}x{height}", col, row, width, height)
-        )?;
-        write(f, &self.told, 0)?;
-        let [r, g, b] = encode(self.color);
-        writeln!(f, "{}", text!("seen"))?;
-        writeln!(f, "    {:<45}{}", "L", Value::Vector(self.color))?;
-        writeln!(f, "    {:<45} {r:<10} {g:<10} {b}", text!("sRGB, 0 to 255"))
     }
 }

@@ -1,3 +1,5 @@
+//! Vectors and colours.
+
 /// A point, a direction, or three numbers of any other kind, in a right-handed world with y up.
 ///
 /// It is glam's 16-byte, SIMD-aligned vector: `dot`, `cross`, `length` and `normalize` are there.

@@ -6,7 +6,6 @@ use std::path::Path;
 
 use anyhow::Context;
 use anyhow::Result;
-use common::text;
 use pulldown_cmark::CodeBlockKind;
 use pulldown_cmark::CowStr;
 use pulldown_cmark::Event;
@@ -16,6 +15,7 @@ use pulldown_cmark::Parser;
 use pulldown_cmark::Tag;
 use pulldown_cmark::TagEnd;
 use pulldown_cmark::html;
+use show::text;
 
 use crate::equation;
 

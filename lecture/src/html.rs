@@ -14,8 +14,6 @@ use anyhow::Result;
 use anyhow::bail;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use common::Language;
-use common::text;
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use image::imageops::FilterType;
@@ -23,6 +21,8 @@ use jpeg_encoder::ColorType;
 use jpeg_encoder::Encoder;
 use jpeg_encoder::SamplingFactor;
 use lecture::PROGRAMS;
+use show::Language;
+use show::text;
 
 use crate::handout;
 use crate::handout::Handout;

@@ -1,40 +1,40 @@
 //! The steps' program on the page: it is asked, and answers.
 
-use std::rc::Rc;
-
-use common::Area;
-use common::Canvas;
 use common::Explanation;
-use common::Frame;
-use common::Language;
 use common::Outcome;
 use common::Pixel;
 use common::Scope;
-use common::Size;
 use common::Value;
 use common::View;
 use common::encode;
-use common::text;
-use common::translated;
 use image::RgbImage;
 use serde::Serialize;
 use show::Act;
+use show::Area;
+use show::Canvas;
 use show::Compare;
 use show::Desk;
 use show::Does;
 use show::Effect;
+use show::Frame;
 use show::Hand;
 use show::Handle;
+use show::Language;
 use show::Outside;
 use show::Program;
 use show::Setup;
 use show::Sight;
+use show::Size;
 use show::draw_vectors;
 use show::handle_at;
 use show::symbol_ink;
+use show::text;
+use show::texts;
+use show::translated;
 
 use crate::FIGURES;
 use crate::PROGRAMS;
+use crate::make;
 use crate::protocol::Ask;
 use crate::protocol::Done;
 use crate::protocol::Explained;
@@ -61,8 +61,7 @@ const MAX_PIXELS: usize = 4_000_000;
 impl Default for Page {
     /// The first step, as it starts.
     fn default() -> Self {
-        let program =
-            |step: crate::Program| Program::new(step.name, "", Size::DEFAULT, Rc::new(step.make));
+        let program = |step: crate::Program| Program::new(step.name, "", Size::DEFAULT, make(step));
         Self { desk: Desk::new(PROGRAMS.map(program).to_vec(), 0), figures: Vec::new() }
     }
 }
@@ -188,8 +187,9 @@ impl Page {
         }
         let (view, step) = (setup.view(), setup.step());
         let camera = view.camera(size.aspect());
+        setup.draw_over(&*camera, &mut picture);
         let mut canvas = Canvas::new(&mut picture);
-        step.draw_over(&*camera, &mut canvas);
+
         if marked && text_size.is_finite() {
             let pixel = desk.pinned().filter(|_| desk.vectors());
             let explanation = pixel.map(|pixel| explain(setup, desk, pixel));
@@ -324,7 +324,7 @@ fn parts(scope: &Scope) -> Vec<Part> {
                 let [r, g, b] = ink.rgb;
                 format!("#{r:02x}{g:02x}{b:02x}")
             });
-            let values = line.value.texts().iter().map(|text| text.trim().to_owned()).collect();
+            let values = texts(&line.value).iter().map(|text| text.trim().to_owned()).collect();
             Part::Line { equation, shown: translated(equation), symbol, ink, values }
         }
         common::Part::Scope(inner) => {
@@ -333,7 +333,9 @@ fn parts(scope: &Scope) -> Vec<Part> {
                 Outcome::Missed(why, condition) => {
                     format!("{}: {}", translated(why), translated(condition))
                 }
-                Outcome::Closest(t) | Outcome::Farther(t) => format!("t ={}", Value::Number(t)),
+                Outcome::Closest(t) | Outcome::Farther(t) => {
+                    format!("t ={}", texts(&Value::Number(t)).concat())
+                }
             };
             let (name, shown, open) = (inner.name, translated(inner.name), inner.is_open());
             Part::Scope { name, shown, open, outcome, parts: parts(inner) }

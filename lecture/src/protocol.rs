@@ -95,7 +95,7 @@ impl What {
             Self::Divide => Act::Divide,
             Self::DivideAt(part) => Act::DivideAt(part),
             Self::Difference => Act::Difference,
-            Self::Language(locale) => Act::Speak(common::Language::of_locale(&locale)),
+            Self::Language(locale) => Act::Speak(show::Language::of_locale(&locale)),
             Self::Open(address) => Act::Open(address),
         })
     }

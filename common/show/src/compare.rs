@@ -1,11 +1,13 @@
+//! How far two pictures are apart.
+
 use std::fmt;
 
 use image::Rgb;
 use image::RgbImage;
 
-use common::count_off;
-use common::off;
-use common::text;
+use crate::count_off;
+use crate::off;
+use crate::text;
 
 /// How far one picture is from another, and where.
 #[derive(Clone, Debug, PartialEq)]

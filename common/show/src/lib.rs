@@ -6,20 +6,31 @@
 //! thread or file. A step's library does not know of this crate, nor could it be built for a browser
 //! if it did: its program and its figures do.
 
+mod canvas;
 mod compare;
 mod control;
 mod desk;
 #[cfg(not(target_family = "wasm"))]
 mod desktop;
 mod figure;
+mod frame;
+mod language;
 mod mistakes;
 mod outside;
 mod pen;
+mod pixels;
 mod session;
 mod setup;
+mod shown;
 mod sight;
 mod vectors;
+mod written;
 
+pub use canvas::Anchor;
+pub use canvas::Area;
+pub use canvas::Canvas;
+pub use canvas::Font;
+pub use canvas::Ink;
 pub use compare::Comparison;
 pub use compare::Difference;
 pub(crate) use compare::TOLERANCE;
@@ -53,10 +64,21 @@ pub use figure::Axes;
 pub use figure::Figure;
 pub use figure::Sketch;
 pub use figure::told;
+pub use frame::Frame;
+pub use frame::Size;
+pub use frame::SizeError;
+pub use frame::check_loop;
+pub use language::Language;
+pub use language::composed;
+pub use language::translated;
 pub use mistakes::Mistake;
 pub use mistakes::Pair;
 pub use mistakes::centered;
 pub use outside::Outside;
+pub use pixels::count_off;
+pub use pixels::magnified;
+pub use pixels::off;
+pub use pixels::pack;
 pub use session::Event;
 pub use session::Session;
 pub use setup::Handle;
@@ -64,6 +86,8 @@ pub use setup::Make;
 pub use setup::Setting;
 pub use setup::SettingError;
 pub use setup::Setup;
+pub use shown::Lesson;
+pub use shown::Shown;
 pub use sight::Sight;
 pub use sight::Stroke;
 pub use vectors::Mark;
@@ -73,3 +97,5 @@ pub use vectors::draw_vectors;
 pub use vectors::handle_at;
 pub use vectors::marks;
 pub use vectors::symbol_ink;
+pub use written::texts;
+pub use written::written;

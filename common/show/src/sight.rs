@@ -1,4 +1,6 @@
-use common::Area;
+//! Where a point of the world is in a picture.
+
+use crate::Area;
 use common::Camera;
 use common::Explanation;
 use common::Outcome;

@@ -1,19 +1,21 @@
+//! What is told with a place in the world, drawn.
+
+use crate::Canvas;
 use crate::Handle;
+use crate::Ink;
 use crate::Sight;
 use crate::pen::Pen;
 use crate::sight::distance;
 use crate::sight::told_hit;
+use crate::text;
+use crate::translated;
 use common::Camera;
-use common::Canvas;
 use common::Explanation;
-use common::Ink;
 use common::Outcome;
 use common::Place;
 use common::Ray;
 use common::Scope;
 use common::Vec3;
-use common::text;
-use common::translated;
 
 /// The colour of a symbol wherever it is drawn or written, apart for those who see few colours too
 /// (Okabe and Ito's); `None` for one that is not drawn.

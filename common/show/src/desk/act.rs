@@ -3,10 +3,10 @@
 use std::fmt;
 
 use crate::Handle;
+use crate::Language;
 use crate::SettingError;
+use crate::Size;
 use crate::control::Refused;
-use common::Language;
-use common::Size;
 
 /// Something that is done in a class, however it was asked for.
 ///

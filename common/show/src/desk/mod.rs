@@ -10,19 +10,20 @@ mod program;
 use std::mem;
 
 use crate::Handle;
+use crate::Language;
 use crate::Outside;
 use crate::Setup;
+use crate::Size;
 use crate::control;
 use crate::control::Control;
 use crate::drag;
+use crate::text;
 use crate::vectors::hit_object;
+use crate::written;
 use common::Camera;
 use common::Explanation;
-use common::Language;
 use common::Pixel;
-use common::Size;
 use common::View;
-use common::text;
 
 pub use act::Act;
 pub use act::Effect;
@@ -430,7 +431,7 @@ impl Desk {
             if let Some(name) = hit_object(&explanation) {
                 self.setup.mean(name);
             }
-            self.ask(Effect::Print(explanation.to_string()));
+            self.ask(Effect::Print(written(&explanation)));
             self.say(&text!("pinned pixel ({col}, {row}); Esc unpins it", col, row));
         }
         self.repaint()

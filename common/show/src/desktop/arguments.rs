@@ -17,10 +17,10 @@ use image::ImageFormat;
 use strsim::damerau_levenshtein;
 
 use super::command_line::Suite;
-use common::Language;
-use common::Size;
+use crate::Language;
+use crate::Size;
+use crate::text;
 use common::View;
-use common::text;
 
 /// The most rays a pixel are this many squared.
 pub(super) const MAX_SAMPLES: usize = 16;

@@ -23,19 +23,20 @@ use super::command_line::report;
 use super::drawing::render_parallel;
 use super::file;
 use crate::Comparison;
+use crate::Frame;
 use crate::Make;
 use crate::Mistake;
 use crate::Pair;
 use crate::Program;
 use crate::Setup;
+use crate::Size;
 use crate::centered;
 use crate::side_by_side;
+use crate::text;
+use crate::written;
 use common::Camera;
-use common::Frame;
 use common::Pixel;
 use common::Ray;
-use common::Size;
-use common::text;
 
 /// A picture that a step and a solution of its exercise are compared by.
 #[derive(Clone, Debug, PartialEq)]
@@ -358,7 +359,11 @@ pub(super) fn check(program: &Program, name: &str, output: Option<&PathBuf>) -> 
         let (width, height) = (case.size.width(), case.size.height());
         let explanation =
             pair.frame.step.explain(pair.frame.camera, Pixel { col, row, width, height });
-        text += &text!("\nas {name} has it:\n{explanation}", name = program.name, explanation);
+        text += &text!(
+            "\nas {name} has it:\n{explanation}",
+            name = program.name,
+            explanation = written(&explanation)
+        );
     }
     print(&text)?;
     // A picture of eight pixels is to be seen, too.

@@ -31,9 +31,9 @@ use crate::Program;
 use crate::Refusal;
 use crate::Session;
 use crate::SettingError;
-use common::Size;
-use common::check_loop;
-use common::text;
+use crate::Size;
+use crate::check_loop;
+use crate::text;
 
 /// What a command line starts: a step, or the lecture with all steps.
 pub(crate) struct Suite {

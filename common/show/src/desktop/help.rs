@@ -7,9 +7,9 @@ use super::command_line::Suite;
 use crate::Setting;
 use crate::Setup;
 use crate::keys;
+use crate::text;
+use crate::translated;
 use common::View;
-use common::text;
-use common::translated;
 
 pub(super) fn help(suite: &Suite) -> String {
     let Suite { name, concept, programs, page } = suite;

@@ -14,14 +14,14 @@ use super::drawing::render_parallel;
 use super::file;
 use super::progress::Progress;
 use crate::Comparison;
+use crate::Frame;
 use crate::Mistake;
 use crate::Pair;
 use crate::Session;
+use crate::Size;
 use crate::Wanted;
 use crate::side_by_side;
-use common::Frame;
-use common::Size;
-use common::text;
+use crate::text;
 
 /// What is to be made.
 pub(super) struct Job {
@@ -96,7 +96,10 @@ impl Job {
         let progress = Progress::new(wanted.len() * size.height());
         let render = |wanted: &Wanted<'_>| {
             let (step, camera) = (wanted.setup.step(), &*wanted.camera);
-            render_parallel(&Frame { step, camera, size, samples }, |rows| progress.add(rows))
+            let frame = Frame { step, camera, size, samples };
+            let mut picture = render_parallel(&frame, |rows| progress.add(rows));
+            wanted.setup.draw_over(camera, &mut picture);
+            picture
         };
         let pictures = wanted.iter().map(render).collect();
         let milliseconds = progress.finish().as_secs_f64() * 1e3;

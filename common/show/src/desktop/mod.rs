@@ -19,8 +19,10 @@ use std::rc::Rc;
 use command_line::Suite;
 pub use drawing::render_parallel;
 
+use crate::Lesson;
 use crate::Program;
-use common::Size;
+use crate::Shown;
+use crate::Size;
 use common::Step;
 
 /// What a step's `main` runs: the command line, and what it asks for.
@@ -28,7 +30,7 @@ use common::Step;
 /// `name` is the step's package, `concept` the line that says what it teaches. The exit status is
 /// 0 when all was done, 1 when it failed or a comparison found a difference, 2 for wrong usage.
 pub fn main<S: Step + Default + 'static>(name: &'static str, concept: &'static str) -> ExitCode {
-    let make = Rc::new(|| Box::new(S::default()) as Box<dyn Step>);
+    let make = Rc::new(|| Box::new(Lesson(Box::new(S::default()))) as Box<dyn Shown>);
     run(Program::new(name, concept, Size::DEFAULT, make), env::args_os())
 }
 

@@ -30,10 +30,10 @@ use super::key::session_key;
 use crate::Effect;
 use crate::Event;
 use crate::Session;
+use crate::Size;
 use crate::Wanted;
-use common::Size;
-use common::pack;
-use common::text;
+use crate::pack;
+use crate::text;
 
 /// From one picture to the next while something is being changed, the work of the window system
 /// included: 40 a second.
@@ -294,7 +294,7 @@ impl Shell {
     fn work(&mut self) {
         let wanted = self.session.desk().pictures();
         for (wanted, (_, drawing)) in wanted.iter().zip(&mut self.drawings) {
-            if drawing.work(wanted.setup.step()) {
+            if drawing.work(wanted.setup) {
                 self.done.push_back(Instant::now());
                 self.repaint = true;
             }
@@ -448,7 +448,7 @@ impl Shell {
             return Ok(());
         };
         for (wanted, drawing) in self.session.desk().pictures().iter().zip(&mut drawings) {
-            drawing.work(wanted.setup.step());
+            drawing.work(wanted.setup);
         }
         if !drawings.iter().all(Drawing::is_complete) {
             self.saving = Some(drawings);

@@ -9,18 +9,18 @@ use super::panel::BACKGROUND;
 use super::panel::FAINT;
 use super::panel::TEXT;
 use super::panel::draw_text;
+use crate::Anchor;
+use crate::Area;
+use crate::Canvas;
 use crate::Compare;
+use crate::Font;
+use crate::Ink;
 use crate::Outside;
 use crate::Program;
 use crate::Sight;
+use crate::count_off;
 use crate::draw_vectors;
-use common::Anchor;
-use common::Area;
-use common::Canvas;
-use common::Font;
-use common::Ink;
-use common::count_off;
-use common::text;
+use crate::text;
 
 impl Session {
     /// Paints a window: the [`pictures`](Self::pictures), which may still be of another size, with

@@ -1,11 +1,11 @@
 //! A list of rows, scrolled.
 
+use crate::Anchor;
+use crate::Area;
+use crate::Canvas;
+use crate::Font;
+use crate::Ink;
 use crate::Setting;
-use common::Anchor;
-use common::Area;
-use common::Canvas;
-use common::Font;
-use common::Ink;
 
 /// Behind all that is beside the picture.
 pub(super) const BACKGROUND: Ink = Ink::new(21, 24, 31);

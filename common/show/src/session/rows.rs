@@ -10,10 +10,10 @@ use super::panel::Panel;
 use super::panel::Row;
 use super::panel::TEXT;
 use crate::Group;
+use crate::Ink;
 use crate::Reading;
 use crate::desk::table;
-use common::Ink;
-use common::translated;
+use crate::translated;
 
 /// What a diff takes away.
 const REMOVED: Ink = Ink::new(255, 160, 150);

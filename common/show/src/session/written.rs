@@ -9,8 +9,8 @@ use super::panel::BACKGROUND;
 use super::panel::Fold;
 use super::panel::Panel;
 use super::panel::Row;
-use common::Area;
-use common::Canvas;
+use crate::Area;
+use crate::Canvas;
 
 /// The em of the text beside a written picture, of the picture's height, and that of the labels in it.
 const TEXT: f32 = 1.0 / 36.0;
