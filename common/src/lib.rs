@@ -5,13 +5,8 @@
 //! tells a [`Listener`] how a pixel came by its colour. Nothing here knows of spheres, scenes or light,
 //! nor of a language, a clock, a thread or a file: whoever shows a step brings these.
 //!
-//! # Conventions
-//!
-//! - The world is right-handed with y up: [`Vec3`].
-//! - Radiance is linear until a pixel is [encoded](encode): [`Color`].
-//! - (u, v) = (0, 0) is the picture's lower left corner: [`Camera`]. Pixels count from the top left
-//!   one: [`Image`].
-//! - t counts in lengths of the ray's direction: [`Ray`].
+//! The conventions stand where they live: the world's axes at [`Vec3`], linear radiance at [`Color`],
+//! (u, v) at [`Camera`], pixels at [`Image`], the unit of t at [`Ray`].
 
 mod camera;
 mod control;
@@ -21,7 +16,6 @@ mod listener;
 pub mod prelude;
 mod ray;
 mod recorder;
-mod srgb;
 mod step;
 mod value;
 mod vector;
@@ -48,8 +42,6 @@ pub use listener::Silent;
 pub use ray::Ray;
 pub use recorder::Recorder;
 pub use recorder::Slip;
-pub use srgb::decode;
-pub use srgb::encode;
 pub use step::Step;
 pub use value::Value;
 pub use vector::Color;

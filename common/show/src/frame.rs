@@ -5,12 +5,12 @@ use std::str::FromStr;
 
 use image::RgbImage;
 
+use crate::encode;
 use crate::text;
 use common::Camera;
 use common::Color;
 use common::Image;
 use common::Step;
-use common::encode;
 
 /// Width and height of a picture, in pixels: each from 1 to [`MAX_SIDE`](Self::MAX_SIDE),
 /// together at most [`MAX_PIXELS`](Self::MAX_PIXELS) pixels.

@@ -23,6 +23,7 @@ mod session;
 mod setup;
 mod shown;
 mod sight;
+mod srgb;
 mod vectors;
 mod written;
 
@@ -90,6 +91,8 @@ pub use shown::Lesson;
 pub use shown::Shown;
 pub use sight::Sight;
 pub use sight::Stroke;
+pub use srgb::decode;
+pub use srgb::encode;
 pub use vectors::Mark;
 pub use vectors::MarkShape;
 pub use vectors::drag;

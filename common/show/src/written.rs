@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use crate::encode;
 use crate::text;
 use crate::translated;
 use common::Explanation;
@@ -10,7 +11,6 @@ use common::Part;
 use common::Pixel;
 use common::Scope;
 use common::Value;
-use common::encode;
 
 /// The digits of a number alone, and of each of several: nearly all that an `f32` has, so that who
 /// goes on computing with what is shown gets the next line.

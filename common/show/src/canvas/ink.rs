@@ -1,6 +1,6 @@
+use crate::decode;
+use crate::encode;
 use common::Color;
-use common::decode;
-use common::encode;
 
 /// What a [`Canvas`](super::Canvas) draws with: an 8-bit sRGB colour, and how much it covers what
 /// is under it.

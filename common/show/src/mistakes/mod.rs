@@ -7,6 +7,7 @@ use image::RgbImage;
 
 use crate::Frame;
 use crate::TOLERANCE;
+use crate::encode;
 use crate::off;
 use crate::sight::first_hit;
 use crate::translated;
@@ -18,7 +19,6 @@ use common::Ray;
 use common::Recorder;
 use common::Slip;
 use common::Step;
-use common::encode;
 use known::CENTER;
 use known::VISIBLE;
 use known::added;

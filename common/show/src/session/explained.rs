@@ -3,6 +3,7 @@
 use super::panel::FAINT;
 use super::panel::Fold;
 use super::panel::Row;
+use crate::encode;
 use crate::symbol_ink;
 use crate::texts;
 use crate::translated;
@@ -12,7 +13,6 @@ use common::Outcome;
 use common::Part;
 use common::Scope;
 use common::Value;
-use common::encode;
 
 /// An explanation as it is read.
 pub(super) struct Told<'a> {

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use crate::Color;
+use common::Color;
 
 /// The linear value of an sRGB one, both 0 to 1 (IEC 61966-2-1).
 pub fn decode(s: f64) -> f64 {
