@@ -24,9 +24,9 @@ use lecture::PROGRAMS;
 use show::Language;
 use show::text;
 
+use crate::escape::escape;
 use crate::handout;
 use crate::handout::Handout;
-use crate::handout::escape;
 
 /// Pixels of a figure's picture, and what part of it a JPEG keeps: so that the page stays small.
 const STILL_WIDTH: u32 = 300;

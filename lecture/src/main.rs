@@ -2,6 +2,7 @@
 //! it.
 
 mod equation;
+mod escape;
 mod handout;
 mod html;
 

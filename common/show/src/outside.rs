@@ -113,7 +113,7 @@ impl Outside<'_> {
     /// Draws all of it over the picture of the step from the onlooker's camera, which is in
     /// `area` already; with what `explanation` tells, and `handles`.
     ///
-    /// Letters are `text_size` high, in pixels, as [`Font`](common::Font) tells.
+    /// Letters are `text_size` high, in pixels, as [`Font`](crate::Font) tells.
     pub fn draw(
         &self, canvas: &mut Canvas<'_>, explanation: Option<&Explanation>, handles: &[Handle],
         text_size: f32,

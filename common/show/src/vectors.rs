@@ -214,7 +214,7 @@ pub(crate) fn draw_handles<'a>(pen: &mut Pen<'a>, handles: &'a [Handle]) {
 }
 
 /// Draws over the picture in `sight.area` what `explanation` tells with a place in the world, and
-/// `handles`; letters are `text_size` high, in pixels, as [`Font`](common::Font) tells.
+/// `handles`; letters are `text_size` high, in pixels, as [`Font`](crate::Font) tells.
 ///
 /// What something hides is dashed or faint. The viewing ray is seen end on: it is the point that it
 /// hits, or a ring.

@@ -102,7 +102,7 @@ pub enum Effect {
     Say(String),
     /// Print a text that ends with a line break.
     Print(String),
-    /// Make the [`saved`](super::Desk::saved) pictures, write them to a file, and say what became of it.
+    /// Make the pictures at their own size, write them to a file, and say what became of it.
     Save,
     /// End.
     Quit,

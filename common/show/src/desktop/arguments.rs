@@ -16,7 +16,7 @@ use clap::error::ErrorKind;
 use image::ImageFormat;
 use strsim::damerau_levenshtein;
 
-use super::command_line::Suite;
+use super::suite::Suite;
 use crate::Language;
 use crate::Size;
 use crate::text;

@@ -18,10 +18,10 @@ use image::RgbImage;
 use image::imageops;
 use image::imageops::FilterType;
 
-use super::command_line::print;
-use super::command_line::report;
 use super::drawing::render_parallel;
 use super::file;
+use super::said::print;
+use super::said::report;
 use crate::Comparison;
 use crate::Frame;
 use crate::Make;

@@ -2,8 +2,6 @@
 
 use std::ffi::OsString;
 use std::fs;
-use std::io;
-use std::io::Write as _;
 use std::path::Path;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -23,7 +21,12 @@ use super::check;
 use super::file;
 use super::help::help;
 use super::job::Job;
-use super::window;
+use super::said::print;
+use super::said::report;
+use super::said::tell;
+use super::shell;
+use super::suite::Suite;
+use super::window::Window;
 use crate::Act;
 use crate::Desk;
 use crate::Effect;
@@ -34,17 +37,6 @@ use crate::SettingError;
 use crate::Size;
 use crate::check_loop;
 use crate::text;
-
-/// What a command line starts: a step, or the lecture with all steps.
-pub(crate) struct Suite {
-    pub(crate) name: &'static str,
-    /// The line that says what it shows.
-    pub(crate) concept: &'static str,
-    /// At least one.
-    pub(crate) programs: Vec<Program>,
-    /// The web page with all steps, where there is one to be written.
-    pub(crate) page: Option<fn() -> Result<String>>,
-}
 
 pub(crate) fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
     let arguments: Vec<OsString> = arguments.collect();
@@ -102,9 +94,8 @@ pub(crate) fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> E
 /// Shows it all in a window, or, with no display, writes the picture.
 fn open(job: Job, program: &Program) -> ExitCode {
     let desk = job.session.desk();
-    let (size, samples) = (desk.picture_size(), desk.samples());
-    match window::Window::open(&program.title(), size) {
-        Ok(window) => status(window.run(job.session, samples).map(|()| true)),
+    match Window::open(&program.title(), desk.picture_size()) {
+        Ok(window) => status(shell::run(window, job.session).map(|()| true)),
         Err(error) => {
             let name = job.name;
             report(name, &text!("no window ({error}), so the picture goes to a file", error));
@@ -181,36 +172,9 @@ fn write_page(name: &str, path: &Path, page: fn() -> Result<String>) -> Result<(
     Ok(())
 }
 
-/// Prints what was asked for. Whoever closes standard output early has read enough.
-pub(crate) fn print(text: &str) -> Result<()> {
-    let mut output = io::stdout().lock();
-    match output.write_all(text.as_bytes()).and_then(|()| output.flush()) {
-        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-        written => written.context(text!("cannot write to standard output")),
-    }
-}
-
-/// Says on standard error what was done.
-pub(crate) fn report(name: &str, text: &str) {
-    tell(&format!("{name}: {text}"));
-}
-
 fn usage(message: &str) -> ExitCode {
     tell(&text!("error: {message} (--help lists what is possible)", message));
     ExitCode::from(2)
-}
-
-/// One line on standard error, whatever control characters the names and values in it have.
-fn tell(text: &str) {
-    let mut line = String::new();
-    for character in text.chars() {
-        match character.is_control() {
-            true => line.extend(character.escape_default()),
-            false => line.push(character),
-        }
-    }
-    // Without standard error there is nobody to tell.
-    let _ = writeln!(io::stderr(), "{line}");
 }
 
 fn status(done: Result<bool>) -> ExitCode {

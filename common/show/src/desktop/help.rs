@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::arguments::MAX_SAMPLES;
-use super::command_line::Suite;
+use super::suite::Suite;
 use crate::Setting;
 use crate::Setup;
 use crate::keys;

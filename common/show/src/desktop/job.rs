@@ -8,11 +8,11 @@ use anyhow::Result;
 use image::RgbImage;
 
 use super::check;
-use super::command_line::print;
-use super::command_line::report;
 use super::drawing::render_parallel;
 use super::file;
 use super::progress::Progress;
+use super::said::print;
+use super::said::report;
 use crate::Comparison;
 use crate::Frame;
 use crate::Mistake;

@@ -9,6 +9,9 @@ mod help;
 mod job;
 mod key;
 mod progress;
+mod said;
+mod shell;
+mod suite;
 mod window;
 
 use std::env;
@@ -16,8 +19,8 @@ use std::ffi::OsString;
 use std::process::ExitCode;
 use std::rc::Rc;
 
-use command_line::Suite;
 pub use drawing::render_parallel;
+use suite::Suite;
 
 use crate::Lesson;
 use crate::Program;

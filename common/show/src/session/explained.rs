@@ -1,8 +1,8 @@
 //! The rows of a pixel's explanation.
 
-use super::panel::FAINT;
-use super::panel::Fold;
-use super::panel::Row;
+use super::row::FAINT;
+use super::row::Fold;
+use super::row::Row;
 use crate::encode;
 use crate::symbol_ink;
 use crate::texts;

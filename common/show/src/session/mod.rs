@@ -5,6 +5,7 @@ mod hands;
 mod layout;
 mod paint;
 mod panel;
+mod row;
 mod rows;
 mod written;
 
@@ -24,9 +25,9 @@ use crate::text;
 use hands::Held;
 use layout::Layout;
 use layout::Wishes;
-use panel::Fold;
-use panel::Row;
-use panel::Target;
+use row::Fold;
+use row::Row;
+use row::Target;
 
 /// What a session is told.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,10 +5,10 @@ use image::RgbImage;
 
 use super::Session;
 use super::explained::Told;
-use super::panel::BACKGROUND;
-use super::panel::Fold;
 use super::panel::Panel;
-use super::panel::Row;
+use super::row::BACKGROUND;
+use super::row::Fold;
+use super::row::Row;
 use crate::Area;
 use crate::Canvas;
 
