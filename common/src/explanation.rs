@@ -97,7 +97,7 @@ impl Part {
 
 impl Line {
     /// What stands before the =; all of a symbol.
-    pub(crate) fn left_side(equation: &'static str) -> &'static str {
+    pub(crate) fn left_side(equation: &str) -> &str {
         let left = equation.split('=').next().unwrap_or(equation);
         left.strip_suffix(' ').unwrap_or(left)
     }
@@ -188,6 +188,17 @@ impl Explanation {
     pub fn current(&self) -> &Scope {
         (0..self.open)
             .fold(&self.told, |scope, _| scope.parts.last().and_then(Part::scope).unwrap_or(scope))
+    }
+
+    /// Whether what is told just now is told about `name`; "" is anything.
+    pub(crate) fn is_about(&self, name: &str) -> bool {
+        let mut scope = &self.told;
+        let mut about = name.is_empty();
+        for _ in 0..self.open {
+            scope = scope.parts.last().and_then(Part::scope).unwrap_or(scope);
+            about |= scope.name == name;
+        }
+        about
     }
 
     pub(crate) fn current_mut(&mut self) -> &mut Scope {

@@ -8,12 +8,14 @@
 //! The conventions stand where they live: the world's axes at [`Vec3`], linear radiance at [`Color`],
 //! (u, v) at [`Camera`], pixels at [`Image`], the unit of t at [`Ray`].
 
+mod answer;
 mod camera;
 mod control;
 mod explanation;
 mod image;
 mod listener;
 pub mod prelude;
+mod probe;
 mod ray;
 mod recorder;
 mod step;
@@ -23,6 +25,8 @@ mod view;
 
 pub use self::image::Image;
 pub use self::image::Pixel;
+pub use answer::Answer;
+pub use answer::LineName;
 pub use camera::Camera;
 pub(crate) use camera::FIELD_OF_VIEW;
 pub use camera::OrthographicCamera;
@@ -39,6 +43,8 @@ pub use explanation::Scope;
 pub use listener::About;
 pub use listener::Listener;
 pub use listener::Silent;
+pub use probe::Kept;
+pub use probe::Probe;
 pub use ray::Ray;
 pub use recorder::Recorder;
 pub use recorder::Slip;

@@ -6,6 +6,7 @@ pub use crate::Controls;
 pub use crate::Image;
 pub use crate::Listener;
 pub use crate::Pixel;
+pub use crate::Probe;
 pub use crate::Ray;
 pub use crate::Recorder;
 pub use crate::Silent;

@@ -2,6 +2,7 @@
 
 use std::cell::RefCell;
 
+use crate::Answer;
 use crate::Color;
 use crate::Explanation;
 use crate::Line;
@@ -20,6 +21,7 @@ use crate::Vec3;
 pub struct Recorder {
     told: RefCell<Explanation>,
     slips: Vec<Slip>,
+    answers: Vec<Answer>,
 }
 
 /// What hands back another value than the one told, given what was told before: to see where a
@@ -36,7 +38,14 @@ impl Recorder {
     /// As [`new`](Self::new), but each value told is handed back as `slips` change it, one after the
     /// other: the step goes on computing with that.
     pub fn mistaken(pixel: Pixel, slips: &[Slip]) -> Self {
-        Self { told: RefCell::new(Explanation::new(pixel)), slips: slips.to_vec() }
+        let told = RefCell::new(Explanation::new(pixel));
+        Self { told, slips: slips.to_vec(), answers: Vec::new() }
+    }
+
+    /// As [`new`](Self::new), but some lines are answered otherwise: the step goes on computing with
+    /// that.
+    pub fn answering(pixel: Pixel, answers: &[Answer]) -> Self {
+        Self { answers: answers.to_vec(), ..Self::new(pixel) }
     }
 
     /// All that was told; `color` is what the pixel shows.
@@ -49,13 +58,17 @@ impl Recorder {
     where
         T: Copy + Into<Value> + TryFrom<Value>,
     {
-        if self.slips.is_empty() {
+        if self.slips.is_empty() && self.answers.is_empty() {
             return value;
         }
         let told = self.told.borrow();
         let begin = equation.split_inclusive('=').next().unwrap_or(equation);
         let altered = self.slips.iter().fold(value.into(), |value, slip| slip(&told, begin, value));
-        altered.try_into().unwrap_or(value)
+        let value = altered.try_into().unwrap_or(value);
+        let meant =
+            |answer: &&Answer| answer.line.equation == equation && told.is_about(&answer.line.of);
+        let answer = self.answers.iter().rfind(meant);
+        answer.and_then(|answer| answer.value.try_into().ok()).unwrap_or(value)
     }
 
     fn tell(&self, equation: &'static str, value: impl Into<Value>, place: Option<Place>) {

@@ -1,11 +1,13 @@
 //! What a step of the lecture hands over.
 
+use crate::Answer;
 use crate::Camera;
 use crate::Color;
 use crate::Controls;
 use crate::Explanation;
 use crate::Image;
 use crate::Pixel;
+use crate::Probe;
 use crate::Recorder;
 use crate::View;
 
@@ -24,9 +26,19 @@ pub trait Step: Sync {
     /// [`render`](Self::render) runs tell.
     fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color;
 
+    /// As [`tell`](Self::tell), to who hears one line alone.
+    fn probe(&self, camera: &dyn Camera, pixel: Pixel, say: &Probe<'_>) -> Color;
+
     /// How `pixel` comes by its colour.
     fn explain(&self, camera: &dyn Camera, pixel: Pixel) -> Explanation {
-        let recorder = Recorder::new(pixel);
+        self.explain_otherwise(camera, pixel, &[])
+    }
+
+    /// How `pixel` would come by its colour with some lines answered otherwise.
+    fn explain_otherwise(
+        &self, camera: &dyn Camera, pixel: Pixel, answers: &[Answer],
+    ) -> Explanation {
+        let recorder = Recorder::answering(pixel, answers);
         let color = self.tell(camera, pixel, &recorder);
         recorder.finish(color)
     }

@@ -40,6 +40,11 @@ impl Step for Seen {
         let camera = self.camera(camera, pixel.width, pixel.height);
         self.lesson.tell(&*camera, pixel, say)
     }
+
+    fn probe(&self, camera: &dyn Camera, pixel: Pixel, say: &Probe<'_>) -> Color {
+        let camera = self.camera(camera, pixel.width, pixel.height);
+        self.lesson.probe(&*camera, pixel, say)
+    }
 }
 
 fn figure() -> Figure<Seen> {

@@ -55,4 +55,9 @@ impl Step for Lesson {
         let ray = viewing_ray(camera, pixel, say);
         self.trace(&ray, say)
     }
+
+    fn probe(&self, camera: &dyn Camera, pixel: Pixel, say: &Probe<'_>) -> Color {
+        let ray = viewing_ray(camera, pixel, say);
+        self.trace(&ray, say)
+    }
 }

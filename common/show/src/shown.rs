@@ -6,6 +6,7 @@ use common::Color;
 use common::Controls;
 use common::Image;
 use common::Pixel;
+use common::Probe;
 use common::Recorder;
 use common::Step;
 use common::View;
@@ -34,6 +35,10 @@ impl Step for Lesson {
 
     fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color {
         self.0.tell(camera, pixel, say)
+    }
+
+    fn probe(&self, camera: &dyn Camera, pixel: Pixel, say: &Probe<'_>) -> Color {
+        self.0.probe(camera, pixel, say)
     }
 }
 

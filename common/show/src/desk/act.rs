@@ -7,6 +7,7 @@ use crate::Language;
 use crate::SettingError;
 use crate::Size;
 use crate::control::Refused;
+use common::LineName;
 
 /// Something that is done in a class, however it was asked for.
 ///
@@ -60,6 +61,20 @@ pub enum Act {
     Difference,
     /// A text in place of the pixel's explanation; if it is shown, no more.
     Read(Reading),
+    /// The picture becomes this told line's at every pixel; if it is, the light's again.
+    Show(LineName),
+    /// The same of the line of this name.
+    ShowNamed(String),
+    /// The line is answered otherwise, to begin with as it is; if it is already, no more.
+    WhatIf(LineName),
+    /// A line takes the value that the text names, such as `V=1`.
+    Answer(String),
+    /// So many lines on in what is told of the pinned pixel.
+    Walk(isize),
+    /// The chosen line becomes the picture.
+    ShowLine,
+    /// The chosen line, or the one that is shown, is answered otherwise.
+    WhatIfLine,
     /// The next of the languages.
     NextLanguage,
     /// This language.

@@ -39,11 +39,13 @@ impl Desk {
             flags.push(format!("--samples {}", self.samples));
         }
         flags.extend(self.setup.settings().iter().map(|setting| format!("--set {setting}")));
+        let looks = self.look_flags();
+        flags.extend(looks.iter().map(|(flag, value)| format!("--{flag} '{value}'")));
         let pixel = self.pinned().filter(|_| self.vectors);
         if let Some(Pixel { col, row, .. }) = pixel {
             flags.push(format!("--pixel {col},{row}"));
         }
-        if pixel.is_some() || self.onlooker.is_some() {
+        if pixel.is_some() || self.onlooker.is_some() || !looks.is_empty() {
             flags.push(format!("-o {name}.png"));
         }
         if self.onlooker.is_some() {
@@ -80,6 +82,7 @@ impl Desk {
         if let Some(Pixel { col, row, .. }) = self.pinned() {
             parts.push(format!("pixel={col},{row}"));
         }
+        parts.extend(self.look_flags().iter().map(|(flag, value)| format!("{flag}={value}")));
         if !self.vectors {
             parts.push("vectors=off".to_owned());
         }
@@ -146,6 +149,8 @@ impl Desk {
                     .ok_or(text!("a pixel is X,Y with whole numbers from 0, such as 480,270"))?;
                 self.pin_pixel(col, row)?;
             }
+            "show" => self.show_named(value)?,
+            "what-if" => self.answer(value)?,
             "size" => self.picture = value.parse::<Size>().map_err(|error| error.to_string())?,
             "language" => self.speak(Language::of_locale(value)),
             "divide" => match value.parse::<f32>() {

@@ -9,6 +9,7 @@ use super::Effect;
 use super::OUTSIDE;
 use super::Reading;
 use super::Refusal;
+use super::what_if::WHAT_IF;
 use crate::Language;
 use crate::Outside;
 use crate::SettingError;
@@ -33,16 +34,28 @@ impl Desk {
         Ok(mem::take(&mut self.effects))
     }
 
-    fn carry_out(&mut self, act: Act) -> Result<(), Refusal> {
+    pub(super) fn carry_out(&mut self, act: Act) -> Result<(), Refusal> {
         match act {
             Act::Set(name, value) => match name.strip_prefix(OUTSIDE) {
                 Some(of_onlooker) => self.set_onlooker(&name, of_onlooker, &value)?,
                 None => self.setup.set(&name, &value)?,
             },
-            Act::Fraction(name, fraction) => self.setup.set_fraction(&name, fraction),
-            Act::Nudge(name, steps) => self.setup.nudge(&name, steps),
-            Act::Reset(name) => self.setup.reset(&name),
-            Act::ResetAll => self.setup.reset_all(),
+            Act::Fraction(name, part) => match name.starts_with(WHAT_IF) {
+                true => self.put_what_if(&name, |control| control.at_fraction(part)),
+                false => self.setup.set_fraction(&name, part),
+            },
+            Act::Nudge(name, steps) => match name.starts_with(WHAT_IF) {
+                true => self.put_what_if(&name, |control| control.nudged(steps)),
+                false => self.setup.nudge(&name, steps),
+            },
+            Act::Reset(name) => match name.starts_with(WHAT_IF) {
+                true => self.what_ifs.retain(|what_if| !name.starts_with(&what_if.name())),
+                false => self.setup.reset(&name),
+            },
+            Act::ResetAll => {
+                self.what_ifs.clear();
+                self.setup.reset_all();
+            }
             Act::Orbit(right, up) if right.is_finite() && up.is_finite() => {
                 match &mut self.onlooker {
                     Some(onlooker) => onlooker.orbit(right, up),
@@ -99,6 +112,16 @@ impl Desk {
                 self.reading = if self.reading == reading { Reading::Pixel } else { reading };
                 return self.repaint();
             }
+            Act::Show(line) => self.show_line(line),
+            Act::ShowNamed(name) => self.show_named(&name)?,
+            Act::WhatIf(line) => self.ask_what_if(&line)?,
+            Act::Answer(setting) => self.answer(&setting)?,
+            Act::Walk(by) => {
+                self.walk(by);
+                return self.repaint();
+            }
+            Act::ShowLine => return self.act_on_line(Act::Show),
+            Act::WhatIfLine => return self.act_on_line(Act::WhatIf),
             Act::NextLanguage => self.speak(self.language.next()),
             Act::Speak(language) => self.speak(language),
             Act::Size(size) => self.picture = size,
@@ -119,7 +142,7 @@ impl Desk {
         Ok(())
     }
 
-    fn ask(&mut self, effect: Effect) {
+    pub(super) fn ask(&mut self, effect: Effect) {
         if !self.effects.contains(&effect) {
             self.effects.push(effect);
         }
@@ -139,6 +162,7 @@ impl Desk {
     pub(super) fn changed(&mut self) {
         let before = self.current.checked_sub(1).map(|before| &self.programs[before]);
         self.before = before.map(|before| self.setup.carried_to(before.make.clone()));
+        self.look_again();
         self.ask(Effect::Redraw);
     }
 
@@ -160,6 +184,16 @@ impl Desk {
         control::change(|to| onlooker.controls(to), is_it);
         self.onlooker = Some(onlooker);
         Ok(())
+    }
+
+    /// Gives the control `name` of a what-if the value that `value` makes of it.
+    fn put_what_if(&mut self, name: &str, value: impl Fn(&Control) -> f32) {
+        for what_if in &mut self.what_ifs {
+            let controls = what_if.controls();
+            if let Some(place) = controls.iter().position(|control| control.name == name) {
+                what_if.put(place, value(&controls[place]));
+            }
+        }
     }
 
     fn pin_at(&mut self, (u, v): (f32, f32)) -> Result<(), Refusal> {
@@ -251,6 +285,10 @@ impl Desk {
     fn leave(&mut self) -> Result<(), Refusal> {
         if self.reading() != Reading::Pixel {
             self.reading = Reading::Pixel;
+        } else if self.look.quantity.take().is_some() {
+            self.ask(Effect::Redraw);
+        } else if self.line.take().is_some() {
+            // The pin stays until the next time.
         } else if self.pinned.take().is_none() {
             self.ask(Effect::Quit);
         }

@@ -146,12 +146,27 @@ pub fn table() -> Vec<Row> {
         row("C", "print the command that gives this picture", act(&[letter('C')], Act::Command)),
         row("G", "all this in the next language", act(&[letter('G')], Act::NextLanguage)),
         row(
-            "F1, K",
+            "J, K",
+            "choose a line of the pinned pixel: the next, the one before",
+            vec![(letter('J'), Does::Act(Act::Walk(1))), (letter('K'), Does::Act(Act::Walk(-1)))],
+        ),
+        row(
+            "Q, or a click on a line",
+            "the chosen line as a picture, or the light again",
+            act(&[letter('Q')], Act::ShowLine),
+        ),
+        row(
+            "W",
+            "what if the chosen line had another value: a slider",
+            act(&[letter('W')], Act::WhatIfLine),
+        ),
+        row(
+            "F1, M",
             "show or hide these keys",
-            act(&[Key::F(1), letter('K')], Act::Read(Reading::Keys)),
+            act(&[Key::F(1), letter('M')], Act::Read(Reading::Keys)),
         ),
         row("F2, S", "save the picture as a new PNG", act(&[Key::F(2), letter('S')], Act::Save)),
-        row("Esc", "unpin; with nothing pinned, quit", act(&[Key::Escape], Act::Leave)),
+        row("Esc", "back: a text, a quantity, the pin; then quit", act(&[Key::Escape], Act::Leave)),
         lecture(
             "Page Down, Up",
             "the next step, or the one before",

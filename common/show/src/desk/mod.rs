@@ -6,10 +6,16 @@ mod compare;
 mod doing;
 mod groups;
 mod keys;
+mod looking;
 mod program;
+mod what_if;
+
+use image::RgbImage;
 
 use crate::Handle;
 use crate::Language;
+use crate::Look;
+use crate::Looked;
 use crate::Outside;
 use crate::Setup;
 use crate::Size;
@@ -17,7 +23,9 @@ use crate::control;
 use crate::control::Control;
 use common::Camera;
 use common::Explanation;
+use common::LineName;
 use common::Pixel;
+use common::Step;
 use common::View;
 
 pub use act::Act;
@@ -32,6 +40,7 @@ pub use keys::Key;
 pub use keys::does;
 pub use keys::table;
 pub use program::Program;
+pub use what_if::WhatIf;
 
 /// What the names of the onlooker's controls begin with.
 pub(crate) const OUTSIDE: &str = "outside.";
@@ -57,6 +66,10 @@ pub struct Desk {
     /// The step before takes this one's place as long as a key is held.
     holding: bool,
     reading: Reading,
+    /// The told line that keys act on.
+    line: Option<LineName>,
+    what_ifs: Vec<WhatIf>,
+    look: Look,
     /// The centre of the pinned pixel, as a part of the width from the left and of the height
     /// from the top.
     pinned: Option<(f32, f32)>,
@@ -72,6 +85,21 @@ pub struct Wanted<'a> {
     pub camera: Box<dyn Camera>,
     /// Whose picture it is: the program's place in the desk's list.
     pub program: usize,
+    looked: Looked<'a>,
+}
+
+impl Wanted<'_> {
+    /// What makes its pixels: the step, or the step as it is looked at.
+    pub fn step(&self) -> &dyn Step {
+        if self.looked.look.is_plain() { self.setup.step() } else { &self.looked }
+    }
+
+    /// Draws over the finished picture, unless that is a quantity's.
+    pub fn draw_over(&self, picture: &mut RgbImage) {
+        if self.looked.look.quantity.is_none() {
+            self.setup.draw_over(&*self.camera, picture);
+        }
+    }
 }
 
 impl Desk {
@@ -96,6 +124,9 @@ impl Desk {
             compare: Compare::Off,
             holding: false,
             reading: Reading::Pixel,
+            line: None,
+            what_ifs: Vec::new(),
+            look: Look::default(),
             pinned: None,
             language: Language::spoken(),
             effects: Vec::new(),
@@ -211,7 +242,7 @@ impl Desk {
     fn explanation_of(&self, setup: &Setup) -> Option<Explanation> {
         let pixel = self.pinned()?;
         let camera = setup.view().camera(self.picture.aspect());
-        Some(setup.step().explain(&*camera, pixel))
+        Some(setup.step().explain_otherwise(&*camera, pixel, self.answers()))
     }
 
     /// From where the picture is seen.
@@ -222,18 +253,21 @@ impl Desk {
     /// The pictures that are to be shown: one, or, where two are compared, the step before's and
     /// this one's.
     pub fn pictures(&self) -> Vec<Wanted<'_>> {
-        let wanted = |setup, program| {
-            let camera = self.seen_from().camera(self.picture.aspect());
-            Wanted { setup, camera, program }
-        };
-        let this = wanted(&self.setup, self.current);
+        let this = self.wanted(&self.setup, self.current);
         match &self.before {
-            Some(before) if self.holding => vec![wanted(before, self.current - 1)],
+            Some(before) if self.holding => vec![self.wanted(before, self.current - 1)],
             Some(before) if self.compare != Compare::Off => {
-                vec![wanted(before, self.current - 1), this]
+                vec![self.wanted(before, self.current - 1), this]
             }
             _ => vec![this],
         }
+    }
+
+    fn wanted<'a>(&'a self, setup: &'a Setup, program: usize) -> Wanted<'a> {
+        let view = self.seen_from();
+        let camera = view.camera(self.picture.aspect());
+        let looked = Looked { step: setup.step(), look: &self.look, eye: view.eye() };
+        Wanted { setup, camera, program, looked }
     }
 
     /// The points of the world that are marked in the picture: of several spheres one's, the one that

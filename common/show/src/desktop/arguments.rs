@@ -93,6 +93,8 @@ pub(super) fn command(suite: &Suite) -> Command {
         .arg(option("size", "WxH").short('s').value_parser(size))
         .arg(option("camera", "KIND").value_parser(View::PROJECTIONS))
         .arg(option("set", "NAME=VALUE").action(ArgAction::Append))
+        .arg(option("show", "LINE").conflicts_with("samples"))
+        .arg(option("what-if", "LINE=V").action(ArgAction::Append))
         .arg(option("samples", "N").value_parser(samples))
         .arg(option("pixel", "X,Y").value_parser(pixel))
         .arg(
@@ -103,10 +105,9 @@ pub(super) fn command(suite: &Suite) -> Command {
                 .conflicts_with("compare"),
         )
         .arg(file("compare").value_parser(PathBufValueParser::new()).conflicts_with("pixel"))
-        .arg(
-            option("check", "STEP")
-                .conflicts_with_all(["size", "camera", "set", "samples", "pixel", "compare"]),
-        )
+        .arg(option("check", "STEP").conflicts_with_all([
+            "size", "camera", "set", "samples", "pixel", "compare", "show", "what-if",
+        ]))
         .arg(option("language", "pt|en").value_parser(Language::ALL.map(|(name, _)| name)))
         // For --check of another step: it asks for pictures on standard input.
         .arg(Arg::new("cases").long("cases").action(ArgAction::SetTrue).hide(true))

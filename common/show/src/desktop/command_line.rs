@@ -123,6 +123,8 @@ fn arrange(desk: &mut Desk, matches: &ArgMatches) -> Result<Option<String>, Stri
         (None, Some(true)) => acts.push(Act::Difference),
         _ => {}
     }
+    let what_ifs = matches.get_many::<String>("what-if").unwrap_or_default();
+    acts.extend(what_ifs.cloned().map(Act::Answer));
     let compares = acts.iter().any(|act| matches!(act, Act::DivideAt(_) | Act::Difference));
     if compares && desk.step() == 1 {
         let last = desk.programs().len();
@@ -140,6 +142,7 @@ fn arrange(desk: &mut Desk, matches: &ArgMatches) -> Result<Option<String>, Stri
         }
         acts.push(Act::PinPixel(*col, *row));
     }
+    acts.extend(matches.get_one::<String>("show").cloned().map(Act::ShowNamed));
     let mut printed = None;
     for act in acts {
         for effect in desk.act(act).map_err(|refusal| told(&refusal))? {

@@ -9,8 +9,8 @@ use rayon::slice::ParallelSliceMut;
 
 use crate::Canvas;
 use crate::Frame;
-use crate::Setup;
 use crate::Size;
+use crate::Wanted;
 use common::Camera;
 use common::Step;
 
@@ -141,15 +141,15 @@ impl Drawing {
     }
 
     /// Renders for a slice of time, or until a pass is done; whether one was.
-    pub(crate) fn work(&mut self, setup: &Setup) -> bool {
+    pub(crate) fn work(&mut self, wanted: &Wanted<'_>) -> bool {
         let start = Instant::now();
         while let Some(mut pass) = self.pass {
-            self.batch(setup.step(), &mut pass);
+            self.batch(wanted.step(), &mut pass);
             if pass.row == pass.size(self.size).height() {
                 if pass.draft {
                     self.enlarge();
                 }
-                setup.draw_over(&*self.camera, &mut self.picture);
+                wanted.draw_over(&mut self.picture);
                 self.finish(pass);
                 return true;
             }

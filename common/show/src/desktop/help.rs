@@ -47,6 +47,8 @@ Options:
                           picture with its rays and vectors, and the equations beside it
       --outside           with -o, write the camera as it is seen from outside; --set also takes
                           outside.azimuth, outside.elevation and outside.distance
+      --show LINE         the picture of a told line at every pixel: 'n·l', 'key: n·l'
+      --what-if LINE=V    a told line answered otherwise: 'V=1', 'L_s=0'; repeatable
       --compare FILE      render, say how far FILE is from it and where; exit 1 if they differ;
                           with -o, write expected, found and difference side by side
       --check STEP        is STEP's program now this one? compares many pictures, names the

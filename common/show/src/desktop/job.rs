@@ -95,10 +95,10 @@ impl Job {
         let wanted = desk.pictures();
         let progress = Progress::new(wanted.len() * size.height());
         let render = |wanted: &Wanted<'_>| {
-            let (step, camera) = (wanted.setup.step(), &*wanted.camera);
+            let (step, camera) = (wanted.step(), &*wanted.camera);
             let frame = Frame { step, camera, size, samples };
             let mut picture = render_parallel(&frame, |rows| progress.add(rows));
-            wanted.setup.draw_over(camera, &mut picture);
+            wanted.draw_over(&mut picture);
             picture
         };
         let pictures = wanted.iter().map(render).collect();

@@ -144,7 +144,7 @@ impl Shell {
     fn work(&mut self) {
         let wanted = self.session.desk().pictures();
         for (wanted, (_, drawing)) in wanted.iter().zip(&mut self.drawings) {
-            if drawing.work(wanted.setup) {
+            if drawing.work(wanted) {
                 self.done.push_back(Instant::now());
                 self.repaint = true;
             }
@@ -298,7 +298,7 @@ impl Shell {
             return Ok(());
         };
         for (wanted, drawing) in self.session.desk().pictures().iter().zip(&mut drawings) {
-            drawing.work(wanted.setup);
+            drawing.work(wanted);
         }
         if !drawings.iter().all(Drawing::is_complete) {
             self.saving = Some(drawings);

@@ -23,6 +23,7 @@ use common::Controls;
 use common::Image;
 use common::Kind;
 use common::Pixel;
+use common::Probe;
 use common::Ray;
 use common::Recorder;
 use common::Step;
@@ -334,12 +335,25 @@ impl<L: Step + Clone> Step for Figure<L> {
 
     /// What the lesson tells of the pixel that is there in the panel.
     fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color {
+        self.told(camera, pixel, |lesson, camera, pixel| lesson.tell(camera, pixel, say))
+    }
+
+    fn probe(&self, camera: &dyn Camera, pixel: Pixel, say: &Probe<'_>) -> Color {
+        self.told(camera, pixel, |lesson, camera, pixel| lesson.probe(camera, pixel, say))
+    }
+}
+
+impl<L: Step + Clone> Figure<L> {
+    /// Has the lesson in the panel at `pixel` tell of it; the pixel's colour.
+    fn told(
+        &self, camera: &dyn Camera, pixel: Pixel, tell: impl Fn(&L, &dyn Camera, Pixel) -> Color,
+    ) -> Color {
         let Pixel { col, row, width, height } = pixel;
         for (_, area, camera, lesson) in self.panels(camera, width, height) {
             let [left, top, width, height] = pixels(area);
             let (col, row) = (col.wrapping_sub(left), row.wrapping_sub(top));
             if col < width && row < height {
-                lesson.tell(&camera, Pixel { col, row, width, height }, say);
+                tell(&lesson, &camera, Pixel { col, row, width, height });
             }
         }
         let mut colors = vec![Color::ZERO; width];

@@ -1,14 +1,17 @@
 //! The rows of a pixel's explanation.
 
+use super::row::ACCENT;
 use super::row::FAINT;
 use super::row::Fold;
 use super::row::Row;
+use crate::WhatIf;
 use crate::encode;
 use crate::symbol_ink;
 use crate::texts;
 use crate::translated;
 use common::Explanation;
 use common::Line;
+use common::LineName;
 use common::Outcome;
 use common::Part;
 use common::Scope;
@@ -19,6 +22,10 @@ pub(super) struct Told<'a> {
     pub(super) explanation: &'a Explanation,
     /// The step before's, beside which it is seen what is new.
     pub(super) before: Option<&'a Explanation>,
+    /// The line that is shown as a picture.
+    pub(super) shown: Option<&'a LineName>,
+    /// What is answered otherwise.
+    pub(super) what_ifs: &'a [WhatIf],
     /// What was folded or unfolded by hand.
     pub(super) folds: &'a [(Fold, bool)],
 }
@@ -57,6 +64,13 @@ impl Told<'_> {
         })
     }
 
+    fn is_altered(&self, line: &LineName) -> bool {
+        self.what_ifs.iter().any(|WhatIf { answer, .. }| {
+            answer.line.equation == line.equation
+                && ["", &line.of].contains(&answer.line.of.as_str())
+        })
+    }
+
     fn has_new(&self, section: &str, scope: &Scope) -> bool {
         scope.all_lines().into_iter().any(|line| self.is_new(section, line))
     }
@@ -66,10 +80,16 @@ impl Told<'_> {
         for part in &scope.parts {
             match part {
                 Part::Line(line) => {
-                    let equation = translated(line.equation);
-                    let ink = symbol_ink(line.symbol()).unwrap_or(FAINT);
-                    let (values, new) = (texts(&line.value), self.is_new(section, line));
-                    rows.push(Row::Line { equation, ink, values, new });
+                    let new = self.is_new(section, line);
+                    let (ink, values) = (symbol_ink(line.symbol()), texts(&line.value));
+                    let of = scope.name.to_owned();
+                    let line = LineName { equation: line.equation.to_owned(), of };
+                    let ink = match self.shown {
+                        Some(shown) if *shown == line => ACCENT,
+                        _ => ink.unwrap_or(FAINT),
+                    };
+                    let altered = self.is_altered(&line);
+                    rows.push(Row::Line { line, ink, values, new, altered });
                 }
                 Part::Scope(inner) => {
                     let fold = Fold::Scope(section, *count);

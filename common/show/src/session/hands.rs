@@ -55,8 +55,10 @@ impl Session {
         }
         self.held = Held::Panel;
         if let Some((target, on_slider)) = self.reading_panel().and_then(|panel| panel.target(at)) {
-            if let (Target::Fold(fold), false) = (target, on_slider) {
-                self.toggle(fold);
+            match (target, on_slider) {
+                (Target::Fold(fold), false) => self.toggle(fold),
+                (Target::Line(line), _) => self.act(Act::Show(line)),
+                _ => {}
             }
             return;
         }

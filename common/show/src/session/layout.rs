@@ -1,6 +1,7 @@
 //! Where things have their place in a window.
 
 use crate::Area;
+use crate::Legend;
 use crate::Size;
 
 /// The em of the text, of the window's height: then a capital letter is 2.8 % of it high.
@@ -19,6 +20,8 @@ pub(super) struct Layout {
     pub(super) em: f32,
     /// The picture, whole.
     pub(super) picture: Area,
+    /// What the colours of a quantity stand for, below the picture, if one is shown.
+    pub(super) legend: Option<Area>,
     /// What there is beside the picture; none when it is hidden.
     pub(super) beside: Option<Beside>,
 }
@@ -46,6 +49,8 @@ pub(super) struct Wishes {
     pub(super) hidden: bool,
     /// Whether there is something to be read.
     pub(super) reading: bool,
+    /// Whether a quantity is shown.
+    pub(super) legend: bool,
 }
 
 /// The largest area of this aspect in `outer`, at least a pixel wide and high: at its top, in the
@@ -68,31 +73,38 @@ impl Layout {
     pub(super) const ROW: f32 = 1.2;
 
     pub(super) fn new(wishes: &Wishes) -> Self {
-        let Wishes { size, aspect, text, hidden, reading } = *wishes;
+        let Wishes { size, aspect, text, hidden, reading, legend } = *wishes;
         let (width, height) = (size.width() as f32, size.height() as f32);
         let window = Area::new(0.0, 0.0, width, height);
         // In a window that is higher than wide the width decides.
         let em = TEXT * height.min(0.75 * width) * text;
+        let legend = if legend { (Legend::HEIGHT * em).min(0.3 * height) } else { 0.0 };
+        // Under a picture, as wide as that.
+        let under = |picture: Area| {
+            (legend > 0.0).then_some(Area { top: picture.bottom(), height: legend, ..picture })
+        };
         if hidden || em < LEAST_TEXT {
-            let picture = fit(window, aspect);
-            let top = ((height - picture.height) / 2.0).floor();
-            return Self { em, picture: Area { top, ..picture }, beside: None };
+            let picture = fit(Area { height: height - legend, ..window }, aspect);
+            let top = ((height - legend - picture.height) / 2.0).floor();
+            let picture = Area { top, ..picture };
+            return Self { em, picture, legend: under(picture), beside: None };
         }
         let row = Self::ROW * em;
         if width < 0.9 * height {
             let outer = Area { height: (0.45 * height).floor(), ..window };
             let picture = fit(outer, aspect);
-            let (_, below) = split(window, picture.height);
+            let (_, below) = split(window, picture.height + legend);
             let (caption, rest) = split(below, 4.5 * row);
             let (upper, controls) = split(rest, if reading { 0.6 * rest.height } else { 0.0 });
-            let reading = reading.then_some(upper);
-            return Self { em, picture, beside: Some(Beside { caption, controls, reading }) };
+            let beside = Some(Beside { caption, controls, reading: reading.then_some(upper) });
+            return Self { em, picture, legend: under(picture), beside };
         }
         let column = (COLUMN * em).min(0.5 * width).floor();
-        let outer = Area::new(0.0, 0.0, width - column, (height - 3.5 * row).max(0.3 * height));
+        let most = (height - 3.5 * row - legend).max(0.3 * height);
+        let outer = Area::new(0.0, 0.0, width - column, most);
         let picture = fit(outer, aspect);
         let column = Area::new(outer.width, 0.0, column, height);
-        let (_, below) = split(Area { height, ..outer }, picture.height);
+        let (_, below) = split(Area { height, ..outer }, picture.height + legend);
         let beside = if !reading {
             Beside { caption: below, controls: column, reading: None }
         } else if below.height > 5.5 * row {
@@ -102,6 +114,6 @@ impl Layout {
             let (reading, controls) = split(column, 0.66 * height);
             Beside { caption: below, controls, reading: Some(reading) }
         };
-        Self { em, picture, beside: Some(beside) }
+        Self { em, picture, legend: under(picture), beside: Some(beside) }
     }
 }

@@ -348,6 +348,7 @@ impl Session {
             text: self.text,
             hidden: self.hidden,
             reading: self.has_reading(),
+            legend: self.desk.shown_line().is_some(),
         })
     }
 }

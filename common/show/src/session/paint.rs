@@ -8,6 +8,7 @@ use super::row::ACCENT;
 use super::row::BACKGROUND;
 use super::row::FAINT;
 use super::row::TEXT;
+use super::row::Target;
 use super::row::draw_text;
 use crate::Anchor;
 use crate::Area;
@@ -33,15 +34,19 @@ impl Session {
         canvas.fill(canvas.area(), BACKGROUND);
         let differing = self.paint_pictures(&mut canvas, &layout, pictures);
         self.paint_vectors(&mut canvas, layout.picture, layout.em.clamp(11.0, 40.0));
+        if let (Some(area), Some(legend)) = (layout.legend, self.desk.legend()) {
+            legend.draw(&mut canvas, area.inset(0.4 * layout.em), 0.9 * layout.em);
+        }
         let said = match (&self.note, differing) {
             (Some(note), _) => Some(note.clone()),
             (None, Some((pixels, of))) => Some(text!("{pixels} of {of} pixels differ", pixels, of)),
-            (None, None) => None,
+            (None, None) => self.desk.altered(),
         };
         match layout.beside {
             Some(beside) => {
                 if let Some(panel) = self.reading_panel() {
-                    panel.draw(&mut canvas, None);
+                    let chosen = self.desk.line().map(|line| Target::Line(line.clone()));
+                    panel.draw(&mut canvas, chosen.as_ref());
                 }
                 if let Some(panel) = self.controls() {
                     panel.draw(&mut canvas, self.selected.as_ref());

@@ -6,6 +6,8 @@ use crate::Canvas;
 use crate::Font;
 use crate::Ink;
 use crate::Setting;
+use crate::translated;
+use common::LineName;
 
 /// Behind all that is beside the picture.
 pub(super) const BACKGROUND: Ink = Ink::new(21, 24, 31);
@@ -13,6 +15,8 @@ pub(super) const TEXT: Ink = Ink::grey(238);
 pub(super) const FAINT: Ink = Ink::new(163, 172, 186);
 /// What is chosen, and what was changed.
 pub(super) const ACCENT: Ink = Ink::new(255, 208, 64);
+/// What is answered otherwise.
+pub(super) const ALTERED: Ink = Ink::new(255, 150, 70);
 /// What a step adds: to its code, and to what is told of a pixel.
 pub(super) const ADDED: Ink = Ink::new(150, 225, 150);
 pub(super) const NEW: Ink = Ink::new(30, 50, 42);
@@ -50,6 +54,7 @@ pub(super) enum Target {
     Nothing,
     Control(String),
     Fold(Fold),
+    Line(LineName),
 }
 
 /// A row of a panel.
@@ -59,8 +64,9 @@ pub(super) enum Row {
     Heading { fold: Fold, text: &'static str, value: String, open: bool, faint: bool, new: bool },
     /// A control with its slider.
     Control(Setting),
-    /// An equation and its numbers, or words; new if the step before does not tell it.
-    Line { equation: &'static str, ink: Ink, values: Vec<String>, new: bool },
+    /// An equation and its numbers, or words; new if the step before does not tell it, and altered if
+    /// it is answered otherwise.
+    Line { line: LineName, ink: Ink, values: Vec<String>, new: bool, altered: bool },
     /// What is explained, and its colour.
     Pixel { text: String, rgb: [u8; 3] },
     /// A key and what it does.
@@ -75,6 +81,7 @@ impl Row {
         match self {
             Self::Heading { fold, .. } => Target::Fold(*fold),
             Self::Control(setting) => Target::Control(setting.name.clone()),
+            Self::Line { line, .. } => Target::Line(line.clone()),
             _ => Target::Nothing,
         }
     }
@@ -98,7 +105,8 @@ impl Row {
         match self {
             Self::Heading { fold: Fold::Scope(..), .. } => 1.35 * em,
             Self::Heading { .. } | Self::Control(_) | Self::Pixel { .. } => HIGH * em,
-            Self::Line { equation, values, .. } => {
+            Self::Line { line, values, .. } => {
+                let equation = translated(&line.equation);
                 lines(Columns::new(equation, values, em, width).count()) + 0.15 * em
             }
             Self::Key(key, effect) => {
@@ -145,8 +153,9 @@ impl Row {
                 let knob = (slider.left + length, middle.1);
                 canvas.disc(knob, 0.34 * em, ink);
             }
-            Self::Line { equation, ink, values, .. } => {
-                draw_line(canvas, area, em, (equation, *ink), values);
+            Self::Line { line, ink, values, altered, .. } => {
+                let equation = translated(&line.equation);
+                draw_line(canvas, area, em, (equation, *ink), (values, *altered));
             }
             Self::Pixel { text, rgb } => {
                 let [r, g, b] = *rgb;
@@ -239,8 +248,10 @@ pub(super) fn draw_text(canvas: &mut Canvas<'_>, area: Area, em: f32, ink: Ink, 
 }
 
 fn draw_line(
-    canvas: &mut Canvas<'_>, area: Area, em: f32, (equation, ink): (&str, Ink), values: &[String],
+    canvas: &mut Canvas<'_>, area: Area, em: f32, (equation, ink): (&str, Ink),
+    (values, altered): (&[String], bool),
 ) {
+    let number_ink = if altered { ALTERED } else { TEXT };
     let columns = Columns::new(equation, values, em, area.width);
     let mut top = draw_text(canvas, area, em, ink, equation);
     if columns.beside {
@@ -254,18 +265,18 @@ fn draw_line(
                     // What is too long for its column begins earlier.
                     let left = (right - columns.width + 1.3 * SIGN * em)
                         .min(right - Font::width(em, number));
-                    canvas.text((left, top), Anchor::TopLeft, em, TEXT, number);
+                    canvas.text((left, top), Anchor::TopLeft, em, number_ink, number);
                     if value.starts_with('-') {
                         let sign = (left, top + 0.66 * em);
                         canvas.fill(
                             Area::anchored(sign, Anchor::Right, SIGN * em, (0.08 * em).max(1.0)),
-                            TEXT,
+                            number_ink,
                         );
                     }
                 }
                 None => {
                     let at = (right, top);
-                    canvas.text_within(at, Anchor::TopRight, em, TEXT, value, area.width);
+                    canvas.text_within(at, Anchor::TopRight, em, number_ink, value, area.width);
                 }
             }
         }

@@ -55,8 +55,14 @@ impl Session {
         match self.desk.reading() {
             Reading::Pixel => self.desk.explanation().map_or(Vec::new(), |explanation| {
                 let before = self.desk.explanation_before();
-                Told { explanation: &explanation, before: before.as_ref(), folds: &self.folds }
-                    .rows()
+                Told {
+                    explanation: &explanation,
+                    before: before.as_ref(),
+                    shown: self.desk.shown_line(),
+                    what_ifs: self.desk.what_ifs(),
+                    folds: &self.folds,
+                }
+                .rows()
             }),
             Reading::Keys => {
                 let several = self.desk.programs().len() > 1;

@@ -58,7 +58,13 @@ impl Session {
         let Some(told) = self.desk.explanation() else { return Vec::new() };
         let columns_with = |folds: &[Fold]| {
             let folds: Vec<(Fold, bool)> = folds.iter().map(|fold| (*fold, true)).collect();
-            let told = Told { explanation: &told, before: None, folds: &folds };
+            let told = Told {
+                explanation: &told,
+                before: None,
+                shown: None,
+                what_ifs: self.desk.what_ifs(),
+                folds: &folds,
+            };
             let mut rows = told.rows();
             let folded =
                 |row: &Row| matches!(row, Row::Heading { fold: Fold::Section(_), open: false, .. });

@@ -1,0 +1,123 @@
+//! A told line by its name, and what it is answered otherwise.
+
+use std::cell::Cell;
+
+use crate::Line;
+use crate::Value;
+
+/// A told line by what it is called: its equation, and the innermost or any scope around it that it is
+/// told about, such as a light; "" for any.
+#[derive(Clone, Debug, Eq, PartialEq)]
+pub struct LineName {
+    /// The whole equation, or the symbol of a line that is no equation.
+    pub equation: String,
+    /// What it is told about.
+    pub of: String,
+}
+
+/// A told line that is answered otherwise: what if it had this value?
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer {
+    /// The line.
+    pub line: LineName,
+    /// What is handed back in its place.
+    pub value: Value,
+}
+
+impl LineName {
+    /// Its symbol: the equation's left side.
+    pub fn symbol(&self) -> &str {
+        Line::left_side(&self.equation)
+    }
+}
+
+/// A bit for each of some texts, by its length and its ends: nearly all other texts have another, and
+/// of a literal it is known when it is compiled.
+#[derive(Clone, Copy)]
+pub(crate) struct Marks(u64);
+
+impl Marks {
+    pub(crate) fn of<'a>(texts: impl Iterator<Item = &'a str>) -> Self {
+        Self(texts.fold(0, |marks, text| marks | Self::mark(text)))
+    }
+
+    #[inline(always)]
+    fn mark(text: &str) -> u64 {
+        match text.as_bytes() {
+            [] => 0,
+            bytes => {
+                let (first, last) = (bytes[0] as usize, bytes[bytes.len() - 1] as usize);
+                1 << ((5 * bytes.len() + 3 * first + 7 * last) & 63)
+            }
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn may_have(self, text: &str) -> bool {
+        self.0 & Self::mark(text) != 0
+    }
+}
+
+/// Whether what is told just now is told about one of some names; "" is anything.
+pub(crate) struct Inside<'a> {
+    marks: Marks,
+    depth: Cell<u32>,
+    /// The depth of the innermost open scope that is called by one of the names, and of no other so.
+    innermost: Cell<u32>,
+    /// Each name, and the depth of the outermost open scope that is called so; 0 where none is.
+    names: Vec<(&'a str, Cell<u32>)>,
+}
+
+impl<'a> Inside<'a> {
+    pub(crate) fn new(names: impl Iterator<Item = &'a str>) -> Self {
+        // The depth of what is always open; no scope ends there.
+        let open = |name: &str| Cell::new(if name.is_empty() { u32::MAX } else { 0 });
+        let names: Vec<_> = names.map(|name| (name, open(name))).collect();
+        let marks = Marks::of(names.iter().map(|(name, _)| *name));
+        Self { marks, depth: Cell::new(0), innermost: Cell::new(0), names }
+    }
+
+    #[inline(always)]
+    pub(crate) fn begin(&self, name: &'static str) {
+        self.depth.set(self.depth.get() + 1);
+        if self.marks.may_have(name) {
+            self.open(name);
+        }
+    }
+
+    #[cold]
+    fn open(&self, name: &str) {
+        for (other, open) in &self.names {
+            if open.get() == 0 && *other == name {
+                open.set(self.depth.get());
+                self.innermost.set(self.depth.get());
+            }
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn end(&self) {
+        if self.innermost.get() == self.depth.get() {
+            self.close();
+        }
+        self.depth.set(self.depth.get() - 1);
+    }
+
+    #[cold]
+    fn close(&self) {
+        let (depth, mut innermost) = (self.depth.get(), 0);
+        for (_, open) in &self.names {
+            match open.get() {
+                outermost if outermost == depth => open.set(0),
+                u32::MAX => {}
+                outermost => innermost = innermost.max(outermost),
+            }
+        }
+        self.innermost.set(innermost);
+    }
+
+    /// Whether the name at `place` is told about.
+    pub(crate) fn is(&self, place: usize) -> bool {
+        self.names.get(place).is_some_and(|(_, open)| open.get() > 0)
+    }
+}
