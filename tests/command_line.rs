@@ -232,17 +232,18 @@ fn on_a_terminal(arguments: &str) -> Vec<String> {
 #[cfg(target_os = "linux")]
 #[test]
 fn a_long_render_says_on_a_terminal_how_far_it_is() {
-    let lines = on_a_terminal("--samples 12");
+    // Who counts is not the one who was asked for a language.
+    let lines = on_a_terminal("--samples 12 --language pt");
     let [shown @ .., wiped, done] = &*lines else { panic!("{lines:?}") };
     let percent = |line: &String| {
-        let (percent, to_go) = line.split_once(" %, ").expect(line);
-        to_go.trim_end().strip_suffix(" s to go").expect(line).parse::<usize>().expect(line);
+        let (percent, to_go) = line.split_once(" %, faltam ").expect(line);
+        to_go.trim_end().strip_suffix(" s").expect(line).parse::<usize>().expect(line);
         percent.parse::<usize>().expect(line)
     };
     let percents: Vec<usize> = shown.iter().map(percent).collect();
     assert!(percents.is_sorted() && percents.len() > 10, "{lines:?}");
     assert_eq!(percents.last(), Some(&100));
-    assert!(wiped.trim().is_empty() && done.contains("rendered in"), "{lines:?}");
+    assert!(wiped.trim().is_empty() && done.contains("calculada em"), "{lines:?}");
     assert_eq!(on_a_terminal("--size 9x9").len(), 1);
 }
 
