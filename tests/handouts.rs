@@ -294,6 +294,15 @@ fn commands(block: &str) -> impl Iterator<Item = &str> {
     lines.filter(|line| !line.is_empty())
 }
 
+/// What stands in the command `line` for something that only its reader knows: words in capitals, with
+/// a hyphen between each two.
+fn left_to_the_reader(line: &str) -> Option<&str> {
+    line.split_whitespace().find(|word| {
+        let is_capital = |part: &str| !part.is_empty() && part.chars().all(char::is_uppercase);
+        word.contains('-') && word.split('-').all(is_capital)
+    })
+}
+
 /// Runs the built program `name` in `folder`, where it finds no display.
 fn run(name: &str, arguments: &[&str], folder: &Path) -> Output {
     let output = command(name, folder).args(arguments).output();
@@ -319,21 +328,13 @@ fn file_of(name: &str, arguments: &[&str]) -> Option<String> {
 
 /// Runs the program `name`, which has to do what it is asked for.
 fn try_program(name: &str, arguments: &[&str], folder: &Path) -> Result<(), String> {
-    let file = file_of(name, arguments);
-    let mut all = arguments.to_vec();
-    if !X11
-        && let Some(file) = &file
-        && !all.contains(&file.as_str())
-    {
-        all.extend(["-o", file]);
-    }
-    let output = run(name, &all, folder);
+    let output = run(name, arguments, folder);
     // Pictures may differ, but what is said of that is asked for.
     let compared = arguments.contains(&"--compare") && !output.stdout.is_empty();
     if !(output.status.success() || (compared && output.status.code() == Some(1))) {
         return Err(String::from_utf8_lossy(&output.stderr).into_owned());
     }
-    match file {
+    match file_of(name, arguments) {
         Some(file) if !folder.join(&file).is_file() => Err(format!("{file} was not written")),
         _ => Ok(()),
     }
@@ -903,6 +904,12 @@ fn both_languages_say_the_same() {
                     let lines =
                         if is_code { text.lines().collect() } else { commands(text).collect() };
                     let lines: Vec<&str> = lines;
+                    // What is left to the reader is said in words.
+                    let line = |line: &&str| match left_to_the_reader(line) {
+                        Some(words) => line.replace(words, "…"),
+                        None => (*line).to_owned(),
+                    };
+                    let lines: Vec<String> = lines.iter().map(line).collect();
                     Some(Part::Fence(language.clone(), lines.join("\n")))
                 }
                 // A heading is another one, and so is its anchor.
@@ -937,6 +944,12 @@ fn both_languages_say_the_same() {
                 wrong.push(format!("{name}: {theirs:?} instead of {ours:?}"));
             }
         }
+        let left = |readme: &Readme| -> BTreeSet<String> {
+            let lines = readme.fences("sh").flat_map(commands);
+            lines.filter_map(left_to_the_reader).map(str::to_owned).collect()
+        };
+        let in_english = |words: &String| format!("{name}: {words} is in English");
+        wrong.extend(left(&original).intersection(&left(&translated)).map(in_english));
         // Each language leads on to itself.
         let others =
             translated.links().filter(|link| link.ends_with("README.md") && *link != "README.md");
