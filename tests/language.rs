@@ -196,18 +196,18 @@ fn texts_fit_where_they_stand() {
             for line in explanation.to_string().lines() {
                 assert!(line.chars().count() <= 100, "{step}: {line}");
             }
-            for group in explanation.sections.iter().flat_map(|section| &section.groups) {
-                let name = translated(group.name);
+            for scope in explanation.told.all() {
+                let name = translated(scope.name);
                 assert!(name.chars().count() < 47, "it reaches into its number: {name}");
                 // Beside it stands why it is missed, in a column of 18 ems.
-                if let Outcome::Missed(why, _) = group.outcome {
+                if let Outcome::Missed(why, _) = scope.outcome {
                     let width = Font::width(1.0, name) + Font::width(1.0, translated(why));
                     assert!(width <= 15.0, "too wide for its heading: {name}, {why}");
                 }
-                for line in &group.lines {
-                    let equation = translated(line.equation);
-                    assert!(equation.chars().count() < 45, "it reaches into its value: {equation}");
-                }
+            }
+            for line in explanation.lines() {
+                let equation = translated(line.equation);
+                assert!(equation.chars().count() < 45, "it reaches into its value: {equation}");
             }
         }
     }
