@@ -60,21 +60,13 @@ fn file_of(name: &str, arguments: &[&str]) -> Option<String> {
 
 /// Runs the program `name`, which has to do what it is asked for.
 fn try_program(name: &str, arguments: &[&str], folder: &Path) -> Result<(), String> {
-    let file = file_of(name, arguments);
-    let mut all = arguments.to_vec();
-    if !X11
-        && let Some(file) = &file
-        && !all.contains(&file.as_str())
-    {
-        all.extend(["-o", file]);
-    }
-    let output = run(name, &all, folder);
+    let output = run(name, arguments, folder);
     // Pictures may differ, but what is said of that is asked for.
     let compared = arguments.contains(&"--compare") && !output.stdout.is_empty();
     if !(output.status.success() || (compared && output.status.code() == Some(1))) {
         return Err(String::from_utf8_lossy(&output.stderr).into_owned());
     }
-    match file {
+    match file_of(name, arguments) {
         Some(file) if !folder.join(&file).is_file() => Err(format!("{file} was not written")),
         _ => Ok(()),
     }

@@ -17,6 +17,7 @@ use readme::LANGUAGES;
 use readme::Part;
 use readme::Readme;
 use readme::commands;
+use readme::left_to_the_reader;
 use readme::none;
 use readme::originals;
 use readme::readmes;
@@ -321,6 +322,12 @@ fn both_languages_say_the_same() {
                     let lines =
                         if is_code { text.lines().collect() } else { commands(text).collect() };
                     let lines: Vec<&str> = lines;
+                    // What is left to the reader is said in words.
+                    let line = |line: &&str| match left_to_the_reader(line) {
+                        Some(words) => line.replace(words, "…"),
+                        None => (*line).to_owned(),
+                    };
+                    let lines: Vec<String> = lines.iter().map(line).collect();
                     Some(Part::Fence(language.clone(), lines.join("\n")))
                 }
                 // A heading is another one, and so is its anchor.
@@ -355,6 +362,12 @@ fn both_languages_say_the_same() {
                 wrong.push(format!("{name}: {theirs:?} instead of {ours:?}"));
             }
         }
+        let left = |readme: &Readme| -> BTreeSet<String> {
+            let lines = readme.fences("sh").flat_map(commands);
+            lines.filter_map(left_to_the_reader).map(str::to_owned).collect()
+        };
+        let in_english = |words: &String| format!("{name}: {words} is in English");
+        wrong.extend(left(&original).intersection(&left(&translated)).map(in_english));
         // Each language leads on to itself.
         let others =
             translated.links().filter(|link| link.ends_with("README.md") && *link != "README.md");

@@ -223,3 +223,12 @@ pub(crate) fn commands(block: &str) -> impl Iterator<Item = &str> {
     let lines = block.lines().map(|line| line.split('#').next().unwrap_or(line).trim());
     lines.filter(|line| !line.is_empty())
 }
+
+/// What stands in the command `line` for something that only its reader knows: words in capitals, with
+/// a hyphen between each two.
+pub(crate) fn left_to_the_reader(line: &str) -> Option<&str> {
+    line.split_whitespace().find(|word| {
+        let is_capital = |part: &str| !part.is_empty() && part.chars().all(char::is_uppercase);
+        word.contains('-') && word.split('-').all(is_capital)
+    })
+}
