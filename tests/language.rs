@@ -62,7 +62,8 @@ fn has_words(text: &str, names: &BTreeSet<String>) -> bool {
     // Without the {names}.
     let text: String = text.split('{').map(|part| part.rsplit('}').next().unwrap_or("")).collect();
     let words = text.split(|character: char| !character.is_ascii_alphabetic());
-    let long = words.filter(|word| word.len() >= 3 && !["cos", "max"].contains(word));
+    let long =
+        words.filter(|word| (word.len() >= 3 || *word == "or") && !["cos", "max"].contains(word));
     let is_equation = text.contains(" = ");
     !names.contains(&text) && long.into_iter().any(|word| !(is_equation && names.contains(word)))
 }
