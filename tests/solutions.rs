@@ -8,6 +8,7 @@ pub(crate) type Change = (&'static str, &'static str, &'static str);
 pub(crate) const RIGHT: &[(usize, &[Change])] = &[
     (1, &[("render.rs", "(col as f32 + 0.5) / width as f32", "(2 * col + 1) as f32 / (2 * width) as f32")]),
     (1, &[("render.rs", "1.0 - (row as f32 + 0.5) / height as f32", "((height - row) as f32 - 0.5) / height as f32")]),
+    (1, &[WHOLE]),
     (2, &[TEXTBOOK]),
     (2, &[("sphere.rs", "if discriminant < 0.0", "if q_squared > self.radius.powi(2)")]),
     (2, &[("sphere.rs", "[t_1, t_2]", "[t_1.min(t_2), t_1.max(t_2)]")]),
@@ -33,13 +34,16 @@ pub(crate) const RIGHT: &[(usize, &[Change])] = &[
         &[("scene.rs", "let mut result = say.term(\"L_a = k_a I_a\", k_a * i_a);", "let mut result = Color::ZERO;"),
          ("scene.rs", "say.sum(\"L\", result)", "say.sum(\"L\", result + k_a * i_a)")]),
     (6, &[TEXTBOOK, ("scene.rs", "in &self.lights", "in self.lights.iter().rev()")]),
-    (7, &[("material.rs", "(v + l).normalize()", "(v + l) / (v + l).length()")]),
+    (7, &[WHOLE, ("material.rs", "(v + l).normalize()", "(v + l) / (v + l).length()")]),
     (7, &[("material.rs", "n_dot_h.max(0.0).powf(p)", "(p * n_dot_h.max(0.0).ln()).exp()")]),
     (7, &[TEXTBOOK, ("material.rs", "l_d + say.term(\"L_s = k_s (I/r²) max(0, n·h)^p\", l_s)", "say.term(\"L_s = k_s (I/r²) max(0, n·h)^p\", l_s) + l_d")]),
 ];
 
 /// The discriminant as in textbooks, b² − a c.
 const TEXTBOOK: Change = discriminant("b * b - a * (p.dot(p) - self.radius.powi(2))");
+
+/// The slide's loop over all rows, whichever are asked for.
+const WHOLE: Change = ("render.rs", "in image.rows()", "in 0..image.height()");
 
 /// `other` in place of the sphere's discriminant.
 const fn discriminant(other: &'static str) -> Change {
@@ -62,7 +66,7 @@ pub(crate) const WRONG: &[(usize, &[Change], &str)] = &[
         &[("render.rs", "(col as f32 + 0.5) / width as f32", "col as f32 / (width as f32 - 1.0)"),
          ("render.rs", "(row as f32 + 0.5) / height as f32", "row as f32 / (height as f32 - 1.0)")],
         "It divides by width − 1"),
-    (1, &[("render.rs", "row as f32 + 0.5", "row as f32")], "The ½ is missing from v"),
+    (1, &[WHOLE, ("render.rs", "row as f32 + 0.5", "row as f32")], "The ½ is missing from v"),
     (1, &[("render.rs", "generate_ray(u, v)", "generate_ray(v, u)")], "u and v are exchanged"),
     (1, &[("render.rs", "1.0 - (row", "(row")], "The picture is upside down"),
     (1, &[("render.rs", "(col as f32 + 0.5) /", "1.0 - (col as f32 + 0.5) /")], "The picture is mirrored"),
@@ -101,7 +105,7 @@ pub(crate) const WRONG: &[(usize, &[Change], &str)] = &[
     (5, &[("material.rs", "light.intensity / r_squared", "light.intensity / r_squared.sqrt()")], "L_d is too large by a factor r"),
     (5, &[("material.rs", "light.intensity / r_squared", "light.intensity")], "I is not divided by r²"),
     (5, &[("material.rs", "k_d * irradiance * n_dot_l.max(0.0)", "k_d * irradiance")], "n·l is missing: "),
-    (5, &[("material.rs", "n_dot_l.max(0.0)", "n_dot_l.abs()")], "It is |n·l|"),
+    (5, &[WHOLE, ("material.rs", "n_dot_l.max(0.0)", "n_dot_l.abs()")], "It is |n·l|"),
     (5, &[("material.rs", "k_d * irradiance * n_dot_l.max(0.0)", "Color::splat(irradiance * n_dot_l.max(0.0))")], "k_d is missing"),
     (5, &[("material.rs", "light.position - point", "point - light.position")], "n or l points the other way"),
     (5, &[("material.rs", "to_light.normalize()", "light.position.normalize()")], "l is the light's position"),
