@@ -26,6 +26,7 @@ use image::RgbImage;
 use strsim::damerau_levenshtein;
 
 use super::check;
+use super::check::Verdict;
 use super::drawing::render_parallel;
 use super::file;
 use super::progress::Progress;
@@ -96,14 +97,9 @@ pub(crate) fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> E
     if let Err(error) = check_loop(setup.step()) {
         return status(Err(anyhow!(error)));
     }
-    if matches.get_flag("cases") {
-        return status(check::serve(&program.make).map(|()| true));
-    }
     if let Some(other) = matches.get_one::<String>("check") {
-        if let Err(message) = check::is_step(other) {
-            return usage(&message);
-        }
-        return status(check::check(program, other, matches.get_one::<PathBuf>("output")));
+        let output = matches.get_one::<PathBuf>("output");
+        return check(program, other, output.map_or(Path::new("check.png"), PathBuf::as_path));
     }
     if let Err(message) = set(&matches, &mut setup) {
         return usage(&message);
@@ -177,6 +173,26 @@ pub(crate) fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> E
         },
     };
     status(written.map(|()| true))
+}
+
+/// Checks the program of step `other`, and writes to `output` what shows that it is wrong.
+fn check(program: &Program, other: &str, output: &Path) -> ExitCode {
+    let checked = file::check_destination(output).and_then(|()| check::check(program, other));
+    match checked {
+        Ok(Verdict::Unknown(message)) => usage(&message),
+        Ok(Verdict::Right(text)) => status(print(&text).map(|()| true)),
+        Ok(Verdict::Wrong(text, picture)) => {
+            let written = print(&text).and_then(|()| file::save_png(&picture, output));
+            if written.is_ok() {
+                let path = output.display();
+                let written =
+                    text!("expected, found and 8 × their difference written to {path}", path);
+                report(program.name, &written);
+            }
+            status(written.map(|()| false))
+        }
+        Err(error) => status(Err(error)),
+    }
 }
 
 /// The value of an option that not every command line has.
@@ -271,8 +287,6 @@ fn command(suite: &Suite) -> Command {
                 .conflicts_with_all(["size", "camera", "set", "samples", "pixel", "compare"]),
         )
         .arg(option("language", "pt|en").value_parser(Language::ALL.map(|(name, _)| name)))
-        // For --check of another step: it asks for pictures on standard input.
-        .arg(Arg::new("cases").long("cases").action(ArgAction::SetTrue).hide(true))
 }
 
 /// The language that `--language` asks for, or else the system's. It is looked for before all other

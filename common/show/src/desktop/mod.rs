@@ -1,11 +1,14 @@
 //! What needs a desktop: the command line, files and the window.
 
+mod case;
 mod check;
 mod command_line;
 mod drawing;
 mod file;
+mod other;
 mod progress;
 mod window;
+mod workspace;
 
 use std::env;
 use std::ffi::OsString;
