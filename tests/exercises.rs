@@ -13,6 +13,8 @@ use std::sync::Mutex;
 use std::sync::MutexGuard;
 use std::sync::PoisonError;
 
+use exercises::Mistake;
+use exercises::Pair;
 use image::imageops;
 use rayon::iter::IntoParallelRefIterator;
 use rayon::iter::ParallelIterator;

@@ -15,7 +15,7 @@ use anyhow::bail;
 use common::text;
 
 /// The folder that holds the steps.
-pub(super) struct Workspace {
+pub(crate) struct Workspace {
     root: PathBuf,
 }
 
@@ -25,7 +25,7 @@ impl Workspace {
     /// # Errors
     ///
     /// When neither lies in one: where they lie.
-    pub(super) fn find() -> Result<Self> {
+    pub(crate) fn find() -> Result<Self> {
         let folder = env::current_dir().context(text!("there is no current folder"))?;
         let program = env::current_exe().unwrap_or_default();
         let mut above = folder.ancestors().chain(program.ancestors());
@@ -41,12 +41,12 @@ impl Workspace {
     }
 
     /// The steps' names, in order.
-    pub(super) fn steps(&self) -> Vec<String> {
+    pub(crate) fn steps(&self) -> Vec<String> {
         steps_in(&self.root)
     }
 
     /// Builds the program of the step `name`, and says where it then is.
-    pub(super) fn build(&self, name: &str) -> Result<PathBuf> {
+    pub(crate) fn build(&self, name: &str) -> Result<PathBuf> {
         let cargo = env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo"));
         let mut build = Command::new(cargo);
         build.args(["build", "--quiet", "--message-format", "json-render-diagnostics"]);

@@ -31,11 +31,10 @@ use anyhow::bail;
 use anyhow::ensure;
 use image::RgbImage;
 
-use super::case::Case;
-use super::command_line::report;
-use super::file;
-use crate::Comparison;
+use crate::case::Case;
 use common::text;
+use show::Comparison;
+use show::report;
 
 /// How long no picture may come before that is said.
 const PATIENCE: Duration = Duration::from_secs(10);
@@ -49,7 +48,7 @@ const PANICKED: &[u8] = b" panicked at ";
 const PANIC: usize = 2;
 
 /// What a program gives when it is asked for a picture.
-pub(super) enum Answer {
+pub(crate) enum Answer {
     Picture(RgbImage),
     /// It has no control of this name, or one that does not take the value.
     Lacks(String),
@@ -81,7 +80,7 @@ struct Other<'a> {
 }
 
 /// What the program of step `name` shows of `cases`.
-pub(super) fn ask(name: &str, program: &Path, cases: &[Case]) -> Result<Vec<Answer>> {
+pub(crate) fn ask(name: &str, program: &Path, cases: &[Case]) -> Result<Vec<Answer>> {
     let folder = tempfile::tempdir().context(text!("no folder for pictures can be made"))?;
     let other = Other {
         name,
@@ -148,9 +147,10 @@ impl Other<'_> {
 
     fn answer(&self, index: usize, ended: Ended) -> Result<Answer> {
         let (name, case) = (self.name, &self.cases[index]);
+        let failed = || text!("cannot run {name}", name);
         match ended {
             Ended::Drawn => {
-                let picture = file::read_png(&self.path(index))?;
+                let picture = image::open(self.path(index)).with_context(failed)?.to_rgb8();
                 let expected = (case.size.width() as u32, case.size.height() as u32);
                 let found = picture.dimensions();
                 ensure!(expected == found, "{name}: {}", Comparison::Size { expected, found });

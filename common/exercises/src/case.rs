@@ -4,22 +4,22 @@ use std::fmt;
 
 use anyhow::Result;
 
-use crate::Make;
-use crate::Setup;
 use common::Camera;
 use common::Frame;
 use common::Size;
+use show::Make;
+use show::Setup;
 
 /// A picture as a command line asks for it.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Case {
-    pub(super) size: Size,
+pub(crate) struct Case {
+    pub(crate) size: Size,
     /// NAME=VALUE each.
-    pub(super) settings: Vec<String>,
+    pub(crate) settings: Vec<String>,
 }
 
 /// A case as it is made: what is seen, where from.
-pub(super) struct Scene {
+pub(crate) struct Scene {
     setup: Setup,
     camera: Box<dyn Camera>,
 }
@@ -54,7 +54,7 @@ const VIEWS: &[(usize, usize, &str)] = &[
 
 impl Case {
     /// The views that the step has, and a picture for each of its controls.
-    pub(super) fn all(make: &Make) -> Result<Vec<Self>> {
+    pub(crate) fn all(make: &Make) -> Result<Vec<Self>> {
         let mut cases = Vec::new();
         for &(width, height, settings) in VIEWS {
             let settings = settings.split_whitespace().map(str::to_owned).collect();
@@ -95,7 +95,7 @@ impl Case {
 
     /// The case of this step; the name of the control that it does not have, or that does not take
     /// the value.
-    pub(super) fn scene(&self, make: &Make) -> Result<Scene, String> {
+    pub(crate) fn scene(&self, make: &Make) -> Result<Scene, String> {
         let mut setup = Setup::new(make.clone());
         for setting in &self.settings {
             let (name, value) = setting.split_once('=').unwrap_or((setting, ""));
@@ -105,13 +105,13 @@ impl Case {
         Ok(Scene { setup, camera })
     }
 
-    pub(super) fn frame<'a>(&self, scene: &'a Scene) -> Frame<'a> {
+    pub(crate) fn frame<'a>(&self, scene: &'a Scene) -> Frame<'a> {
         let Scene { setup, camera } = scene;
         Frame { step: setup.step(), camera: &**camera, size: self.size, samples: 1 }
     }
 
     /// What gives the picture on a command line.
-    pub(super) fn arguments(&self) -> Vec<String> {
+    pub(crate) fn arguments(&self) -> Vec<String> {
         let settings =
             self.settings.iter().flat_map(|setting| ["--set".to_owned(), setting.clone()]);
         ["--size".to_owned(), self.size.to_string()].into_iter().chain(settings).collect()

@@ -1,14 +1,14 @@
 //! What a mistake that is known makes of a picture, and which one a picture shows.
 
-mod known;
-
 use std::fmt;
 
 use image::Rgb;
 use image::RgbImage;
 
-use crate::TOLERANCE;
-use crate::sight::first_hit;
+use crate::known;
+use crate::known::VISIBLE;
+use crate::known::added;
+use crate::known::center;
 use common::Camera;
 use common::Color;
 use common::Explanation;
@@ -22,9 +22,8 @@ use common::Step;
 use common::encode;
 use common::off;
 use common::translated;
-use known::VISIBLE;
-use known::added;
-use known::center;
+use show::TOLERANCE;
+use show::first_hit;
 
 /// A mistake that the lecture knows: what is wrong, and where to look.
 ///
@@ -38,11 +37,11 @@ pub struct Mistake {
     pub slide: &'static str,
     /// Where to look.
     pub place: &'static str,
-    kind: Kind,
+    pub(crate) kind: Kind,
 }
 
 #[derive(Debug)]
-enum Kind {
+pub(crate) enum Kind {
     /// The ray goes through this (u, v), not through the pixel's centre.
     Mapped(fn(Pixel) -> (f32, f32)),
     /// A value told is another.
@@ -156,7 +155,7 @@ impl Mistake {
 }
 
 /// The picture of `frame` with one ray a pixel, through its centre whatever the pixel loop does.
-pub fn centered(frame: &Frame<'_>) -> RgbImage {
+pub(crate) fn centered(frame: &Frame<'_>) -> RgbImage {
     let (width, height) = (frame.size.width(), frame.size.height());
     RgbImage::from_fn(width as u32, height as u32, |col, row| {
         let pixel = Pixel { col: col as usize, row: row as usize, width, height };

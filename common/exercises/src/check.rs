@@ -6,43 +6,34 @@ use image::RgbImage;
 use image::imageops;
 use image::imageops::FilterType;
 
-use super::case::Case;
-use super::case::Scene;
-use super::drawing::render_parallel;
-use super::other;
-use super::other::Answer;
-use super::workspace::Workspace;
-use crate::Comparison;
 use crate::Mistake;
 use crate::Pair;
-use crate::Program;
-use crate::centered;
-use crate::side_by_side;
+use crate::case::Case;
+use crate::case::Scene;
+use crate::mistake::centered;
+use crate::other;
+use crate::other::Answer;
+use crate::workspace::Workspace;
 use common::Frame;
 use common::Pixel;
 use common::text;
+use show::Comparison;
+use show::Program;
+use show::Verdict;
+use show::render_parallel;
+use show::side_by_side;
 
 /// The mistakes in one line each.
-pub(super) fn said_of(mistakes: &[&Mistake]) -> String {
+pub(crate) fn said_of(mistakes: &[&Mistake]) -> String {
     match mistakes {
         [first, second] => text!("{first}\nOr: {second}\n", first, second),
         _ => mistakes.iter().map(|mistake| format!("{mistake}\n")).collect(),
     }
 }
 
-/// What became of a check.
-pub(super) enum Verdict {
-    /// There is no such step: which there are.
-    Unknown(String),
-    /// It is right: what to say.
-    Right(String),
-    /// It is not: what to say, and a picture that shows it.
-    Wrong(String, RgbImage),
-}
-
 /// Whether the program of step `name` is `program`, or of `program` itself whether its pixel loop is
 /// right; and if not, where and perhaps why.
-pub(super) fn check(program: &Program, name: &str) -> Result<Verdict> {
+pub(crate) fn check(program: &Program, name: &str) -> Result<Verdict> {
     let itself = name == program.name;
     let cases = Case::all(&program.make)?;
     let scenes = cases.iter().map(|case| case.scene(&program.make));

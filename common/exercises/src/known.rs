@@ -2,8 +2,8 @@
 
 use std::f32::consts::PI;
 
-use super::Kind;
-use super::Mistake;
+use crate::mistake::Kind;
+use crate::mistake::Mistake;
 use common::Color;
 use common::Explanation;
 use common::Outcome;
@@ -49,10 +49,10 @@ macro_rules! known {
 }
 
 /// Whatever blocks a light, it is seen.
-pub(super) const VISIBLE: Slip = told!(|_| "V" => 1.0);
+pub(crate) const VISIBLE: Slip = told!(|_| "V" => 1.0);
 
 #[rustfmt::skip]
-pub(super) const ALL: &[Mistake] = known! {
+pub(crate) const ALL: &[Mistake] = known! {
     "Mapeamento", "viewing_ray in render.rs" {
         "The ½ is missing: (u, v) is the pixel's corner, not its centre" =>
             mapped(|pixel| grid(pixel, 0.0, 0.0));
@@ -304,7 +304,7 @@ fn grid(pixel: Pixel, offset: f32, less: f32) -> (f32, f32) {
 }
 
 /// The (u, v) of a pixel's centre.
-pub(super) fn center(pixel: Pixel) -> (f32, f32) {
+pub(crate) fn center(pixel: Pixel) -> (f32, f32) {
     grid(pixel, 0.5, 0.0)
 }
 
@@ -404,7 +404,7 @@ fn v_r(said: &Explanation) -> Vec3 {
 }
 
 /// What a light that is seen adds.
-pub(super) fn added(light: &Scope) -> Color {
+pub(crate) fn added(light: &Scope) -> Color {
     let terms = light.lines().filter(|line| ["L_d", "L_s"].contains(&line.symbol()));
     terms.filter_map(|line| Color::try_from(line.value).ok()).sum()
 }
