@@ -94,7 +94,8 @@ fn texts() -> BTreeSet<String> {
     }
     texts.extend(texts_of_the_page());
     let keys = KEYS.iter().chain(LECTURE_KEYS).flat_map(|(key, effect)| [key, effect]);
-    let mistakes = Mistake::ALL.iter().flat_map(|mistake| [&mistake.what, &mistake.place]);
+    let mistakes =
+        exercises::Mistake::ALL.iter().flat_map(|mistake| [&mistake.what, &mistake.place]);
     texts.extend(keys.chain(mistakes).map(|text| (*text).to_owned()));
     // The group of the controls that every step has.
     texts.insert("camera".to_owned());

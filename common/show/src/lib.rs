@@ -1,6 +1,5 @@
 //! What shows a step. [`Session`] is what a class does, whatever window it is done in: events in,
-//! effects out. But in a browser there are also a window, files and the command line, and `main` is all
-//! that a step's program has to call.
+//! effects out. But in a browser there are also a window, files and the command line of a [`Suite`].
 //!
 //! Nothing here knows of spheres, scenes or light, and what there is in a browser asks for no clock,
 //! thread or file. A step's library does not know of this crate, nor could it be built for a browser
@@ -10,7 +9,6 @@ mod compare;
 #[cfg(not(target_family = "wasm"))]
 mod desktop;
 mod figure;
-mod mistakes;
 mod outside;
 mod pen;
 mod session;
@@ -20,14 +18,18 @@ mod vectors;
 
 pub use compare::Comparison;
 pub use compare::Difference;
-pub(crate) use compare::TOLERANCE;
+pub use compare::TOLERANCE;
 pub use compare::side_by_side;
 #[cfg(not(target_family = "wasm"))]
-pub use desktop::lecture;
+pub use desktop::Exercises;
 #[cfg(not(target_family = "wasm"))]
-pub use desktop::main;
+pub use desktop::Suite;
+#[cfg(not(target_family = "wasm"))]
+pub use desktop::Verdict;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::render_parallel;
+#[cfg(not(target_family = "wasm"))]
+pub use desktop::report;
 #[cfg(not(target_family = "wasm"))]
 #[doc(hidden)]
 pub use desktop::run;
@@ -35,9 +37,6 @@ pub use figure::Axes;
 pub use figure::Figure;
 pub use figure::Sketch;
 pub use figure::told;
-pub use mistakes::Mistake;
-pub use mistakes::Pair;
-pub use mistakes::centered;
 pub use outside::Outside;
 #[cfg(not(target_family = "wasm"))]
 pub(crate) use session::Compare;
@@ -58,6 +57,7 @@ pub use setup::SettingError;
 pub use setup::Setup;
 pub use sight::Sight;
 pub use sight::Stroke;
+pub use sight::first_hit;
 pub use vectors::Mark;
 pub use vectors::MarkShape;
 pub use vectors::drag;

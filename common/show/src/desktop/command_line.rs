@@ -25,8 +25,9 @@ use image::ImageFormat;
 use image::RgbImage;
 use strsim::damerau_levenshtein;
 
-use super::check;
 use super::drawing::render_parallel;
+use super::exercises::Exercises;
+use super::exercises::Verdict;
 use super::file;
 use super::progress::Progress;
 use super::window;
@@ -34,10 +35,8 @@ use crate::Compare;
 use crate::Comparison;
 use crate::KEYS;
 use crate::LECTURE_KEYS;
-use crate::Mistake;
 use crate::OUTSIDE;
 use crate::Outside;
-use crate::Pair;
 use crate::Program;
 use crate::Session;
 use crate::Setting;
@@ -58,25 +57,41 @@ use common::translated;
 const MAX_SAMPLES: usize = 16;
 
 /// What a command line starts: a step, or the lecture with all steps.
-pub(crate) struct Suite {
-    pub(crate) name: &'static str,
+pub struct Suite {
+    /// The program's name.
+    pub name: &'static str,
     /// The line that says what it shows.
-    pub(crate) concept: &'static str,
+    pub concept: &'static str,
     /// At least one.
-    pub(crate) programs: Vec<Program>,
+    pub programs: Vec<Program>,
     /// The web page with all steps, where there is one to be written.
-    pub(crate) page: Option<fn() -> Result<String>>,
+    pub page: Option<fn() -> Result<String>>,
+    /// Those who know the exercises, if these are asked for.
+    pub exercises: Option<&'static dyn Exercises>,
+}
+
+impl Suite {
+    /// Does what a command line says, which begins with the program's own name. The exit status is 0
+    /// when all was done, 1 when it failed or a comparison found a difference, 2 for wrong usage.
+    ///
+    /// # Panics
+    ///
+    /// When there is no program.
+    pub fn run(&self, arguments: impl Iterator<Item = OsString>) -> ExitCode {
+        run(self, arguments)
+    }
 }
 
 /// What is to be made, and how.
-struct Job {
+struct Job<'a> {
     name: &'static str,
+    exercises: Option<&'a dyn Exercises>,
     session: Session,
     size: Size,
     samples: usize,
 }
 
-pub(crate) fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
+fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
     let arguments: Vec<OsString> = arguments.collect();
     language(&arguments).speak();
     let matches = match command(suite).try_get_matches_from(arguments) {
@@ -96,14 +111,10 @@ pub(crate) fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> E
     if let Err(error) = check_loop(setup.step()) {
         return status(Err(anyhow!(error)));
     }
-    if matches.get_flag("cases") {
-        return status(check::serve(&program.make).map(|()| true));
-    }
-    if let Some(other) = matches.get_one::<String>("check") {
-        if let Err(message) = check::is_step(other) {
-            return usage(&message);
-        }
-        return status(check::check(program, other, matches.get_one::<PathBuf>("output")));
+    if let (Some(other), Some(exercises)) = (given::<String>(&matches, "check"), suite.exercises) {
+        let output = matches.get_one::<PathBuf>("output");
+        let output = output.map_or(Path::new("check.png"), PathBuf::as_path);
+        return check(exercises, program, &other, output);
     }
     if let Err(message) = set(&matches, &mut setup) {
         return usage(&message);
@@ -157,7 +168,7 @@ pub(crate) fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> E
     let session = Session::new(suite.programs.clone(), current, setup, size, samples)
         .comparing(compare)
         .pinning(onlooker, pixel);
-    let mut job = Job { name, session, size, samples };
+    let mut job = Job { name, exercises: suite.exercises, session, size, samples };
     if let Some(expected) = matches.get_one::<PathBuf>("compare") {
         if output.is_some_and(|output| file::is_same(output, expected)) {
             return usage(text!("--output names the file to compare, which would be overwritten"));
@@ -177,6 +188,26 @@ pub(crate) fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> E
         },
     };
     status(written.map(|()| true))
+}
+
+/// Checks the program of step `other`, and writes to `output` what shows that it is wrong.
+fn check(exercises: &dyn Exercises, program: &Program, other: &str, output: &Path) -> ExitCode {
+    let checked = file::check_destination(output).and_then(|()| exercises.check(program, other));
+    match checked {
+        Ok(Verdict::Unknown(message)) => usage(&message),
+        Ok(Verdict::Right(text)) => status(print(&text).map(|()| true)),
+        Ok(Verdict::Wrong(text, picture)) => {
+            let written = print(&text).and_then(|()| file::save_png(&picture, output));
+            if written.is_ok() {
+                let path = output.display();
+                let written =
+                    text!("expected, found and 8 × their difference written to {path}", path);
+                report(program.name, &written);
+            }
+            status(written.map(|()| false))
+        }
+        Err(error) => status(Err(error)),
+    }
 }
 
 /// The value of an option that not every command line has.
@@ -235,21 +266,24 @@ fn command(suite: &Suite) -> Command {
         |name, value| Arg::new(name).long(name).value_name(value).allow_hyphen_values(true);
     let mut command = Command::new(suite.name);
     if last > 1 {
-        let compared = ["compare", "check"];
         command = command
             .arg(option("step", "N").value_parser(step))
-            .arg(option("divide", "PART").value_parser(part).conflicts_with_all(compared))
+            .arg(option("divide", "PART").value_parser(part).conflicts_with("compare"))
             .arg(
                 Arg::new("difference")
                     .long("difference")
                     .action(ArgAction::SetTrue)
-                    .conflicts_with_all(compared)
-                    .conflicts_with("divide"),
+                    .conflicts_with_all(["compare", "divide"]),
             );
     }
     if suite.page.is_some() {
         let page = file("page").value_parser(PathBufValueParser::new());
         command = command.arg(page.exclusive(true));
+    }
+    if suite.exercises.is_some() {
+        let mut others = vec!["size", "camera", "set", "samples", "pixel", "outside", "compare"];
+        others.extend(["divide", "difference"].iter().filter(|_| last > 1));
+        command = command.arg(option("check", "STEP").conflicts_with_all(others));
     }
     command
         .arg(file("output").short('o').value_parser(png))
@@ -266,13 +300,7 @@ fn command(suite: &Suite) -> Command {
                 .conflicts_with("compare"),
         )
         .arg(file("compare").value_parser(PathBufValueParser::new()).conflicts_with("pixel"))
-        .arg(
-            option("check", "STEP")
-                .conflicts_with_all(["size", "camera", "set", "samples", "pixel", "compare"]),
-        )
         .arg(option("language", "pt|en").value_parser(Language::ALL.map(|(name, _)| name)))
-        // For --check of another step: it asks for pictures on standard input.
-        .arg(Arg::new("cases").long("cases").action(ArgAction::SetTrue).hide(true))
 }
 
 /// The language that `--language` asks for, or else the system's. It is looked for before all other
@@ -405,7 +433,7 @@ fn unknown(name: &str, names: &[String]) -> String {
 }
 
 fn help(suite: &Suite) -> String {
-    let Suite { name, concept, programs, page } = suite;
+    let Suite { name, concept, programs, page, exercises } = suite;
     let (size, last) = (programs[0].size, programs.len());
     let mut lecture = String::new();
     if last > 1 {
@@ -423,6 +451,15 @@ fn help(suite: &Suite) -> String {
       --page FILE         write all steps as one web page, to be opened by a double click"
         );
     }
+    let check = match exercises {
+        None => "",
+        Some(_) => text!(
+            "
+      --check STEP        is STEP's program now this one? compares many pictures, names the
+                          mistake; expected, found and difference go to check.png, or to -o;
+                          exit 1 if they differ; of this step itself, it checks the pixel loop"
+        ),
+    };
     let mut text = text!(
         "{name}: {concept}
 
@@ -441,10 +478,7 @@ Options:
       --outside           with -o, write the camera as it is seen from outside; --set also takes
                           outside.azimuth, outside.elevation and outside.distance
       --compare FILE      render, say how far FILE is from it and where; exit 1 if they differ;
-                          with -o, write expected, found and difference side by side
-      --check STEP        is STEP's program now this one? compares many pictures, names the
-                          mistake; expected, found and difference go to check.png, or to -o;
-                          exit 1 if they differ; of this step itself, it checks the pixel loop{lecture}
+                          with -o, write expected, found and difference side by side{check}{lecture}
       --language pt|en    Portuguese or English; else the system's language
   -h, --help              this text
 
@@ -455,6 +489,7 @@ Controls (default):
         size,
         cameras = View::PROJECTIONS.map(|(name, _)| name).join(" | "),
         most = MAX_SAMPLES,
+        check,
         lecture
     );
     let mut listed: Vec<String> = Vec::new();
@@ -474,7 +509,7 @@ Controls (default):
     text
 }
 
-impl Job {
+impl Job<'_> {
     /// Writes the picture to the file `path`.
     fn write(&mut self, path: &Path) -> Result<()> {
         let Self { name, size, .. } = *self;
@@ -517,8 +552,8 @@ impl Job {
             let setup = self.session.setup();
             let camera = setup.view().camera(size.aspect());
             let frame = Frame { step: setup.step(), camera: &*camera, size, samples };
-            let pair = Pair { frame, expected: &expected, found: &found };
-            text += &check::said_of(&Mistake::named(&[pair]));
+            let suspect = |known: &dyn Exercises| known.suspect(&frame, &expected, &found);
+            text += &self.exercises.map(suspect).unwrap_or_default();
         }
         print(&text)?;
         let file = file.display();
@@ -557,7 +592,7 @@ pub(crate) fn print(text: &str) -> Result<()> {
 }
 
 /// Says on standard error what was done.
-pub(crate) fn report(name: &str, text: &str) {
+pub fn report(name: &str, text: &str) {
     tell(&format!("{name}: {text}"));
 }
 
