@@ -2,5 +2,8 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    show::main::<step03_triangle::Lesson>(env!("CARGO_PKG_NAME"), env!("CARGO_PKG_DESCRIPTION"))
+    exercises::main::<step03_triangle::Lesson>(
+        env!("CARGO_PKG_NAME"),
+        env!("CARGO_PKG_DESCRIPTION"),
+    )
 }

@@ -2,5 +2,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    show::main::<step05_diffuse::Lesson>(env!("CARGO_PKG_NAME"), env!("CARGO_PKG_DESCRIPTION"))
+    exercises::main::<step05_diffuse::Lesson>(env!("CARGO_PKG_NAME"), env!("CARGO_PKG_DESCRIPTION"))
 }

@@ -2,5 +2,8 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    show::main::<step07_specular::Lesson>(env!("CARGO_PKG_NAME"), env!("CARGO_PKG_DESCRIPTION"))
+    exercises::main::<step07_specular::Lesson>(
+        env!("CARGO_PKG_NAME"),
+        env!("CARGO_PKG_DESCRIPTION"),
+    )
 }
