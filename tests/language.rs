@@ -118,7 +118,13 @@ fn texts() -> BTreeSet<String> {
         }
         for explanation in explanations(index) {
             let symbols = marks(&explanation, 1.0).into_iter().map(|mark| mark.symbol);
-            texts.extend(symbols.filter(|name| has_words(name, &names)).map(str::to_owned));
+            let told = explanation.told.all().into_iter().map(|scope| scope.name);
+            let lines = explanation.lines().flat_map(|line| match line.value {
+                Value::Word(word) => vec![line.equation, word],
+                _ => vec![line.equation],
+            });
+            let said = symbols.chain(told).chain(lines);
+            texts.extend(said.filter(|name| has_words(name, &names)).map(str::to_owned));
         }
     }
     texts

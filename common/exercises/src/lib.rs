@@ -8,6 +8,8 @@ mod check;
 mod known;
 mod mistake;
 mod other;
+mod said;
+mod symbol;
 mod workspace;
 
 use std::env;
@@ -28,6 +30,7 @@ use show::Shown;
 use show::Size;
 use show::Suite;
 use show::Verdict;
+pub use symbol::SYMBOLS;
 
 /// What a step's `main` runs: the command line, and what it asks for.
 ///

@@ -6,9 +6,10 @@ use image::Rgb;
 use image::RgbImage;
 
 use crate::known;
-use crate::known::VISIBLE;
-use crate::known::added;
 use crate::known::center;
+use crate::said::added;
+use crate::said::told;
+use crate::symbol::VISIBLE;
 use common::Camera;
 use common::Color;
 use common::Explanation;
@@ -134,7 +135,7 @@ impl Mistake {
             Kind::Told(slip) => seen(step, ray, pixel, &[slip]).color,
             Kind::Mapped(_) | Kind::Encoded(_) => seen(step, ray, pixel, &[]).color,
             Kind::Blocked(range) => {
-                let said = seen(step, ray, pixel, &[VISIBLE]);
+                let said = seen(step, ray, pixel, &[told!(|_| VISIBLE(_) => 1.0)]);
                 let mut color = said.color;
                 for light in said.told.all() {
                     let ray = light.lines().find_map(|line| match line.place {

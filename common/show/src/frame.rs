@@ -1,4 +1,4 @@
-//! A picture to be made.
+//! Pictures to be made, row by row or all at once, and how large they are.
 
 use std::fmt;
 use std::str::FromStr;
