@@ -51,7 +51,7 @@ pub struct Difference {
 }
 
 /// How far a channel may be off, in steps of 1/255.
-pub(crate) const TOLERANCE: u8 = 1;
+pub const TOLERANCE: u8 = 1;
 
 /// How many pixels may be further off, in a picture of at least 3000: of a smaller one, one in a
 /// thousand. On a silhouette the last bit of a number, which differs between platforms, decides

@@ -15,7 +15,6 @@ mod desktop;
 mod figure;
 mod frame;
 mod language;
-mod mistakes;
 mod outside;
 mod pen;
 mod pixels;
@@ -35,7 +34,7 @@ pub use canvas::Font;
 pub use canvas::Ink;
 pub use compare::Comparison;
 pub use compare::Difference;
-pub(crate) use compare::TOLERANCE;
+pub use compare::TOLERANCE;
 pub use compare::side_by_side;
 pub use control::Control;
 pub use control::Refused;
@@ -55,11 +54,15 @@ pub use desk::WhatIf;
 pub use desk::does;
 pub use desk::table as keys;
 #[cfg(not(target_family = "wasm"))]
-pub use desktop::lecture;
+pub use desktop::Exercises;
 #[cfg(not(target_family = "wasm"))]
-pub use desktop::main;
+pub use desktop::Suite;
+#[cfg(not(target_family = "wasm"))]
+pub use desktop::Verdict;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::render_parallel;
+#[cfg(not(target_family = "wasm"))]
+pub use desktop::report;
 #[cfg(not(target_family = "wasm"))]
 #[doc(hidden)]
 pub use desktop::run;
@@ -74,9 +77,6 @@ pub use frame::check_loop;
 pub use language::Language;
 pub use language::composed;
 pub use language::translated;
-pub use mistakes::Mistake;
-pub use mistakes::Pair;
-pub use mistakes::centered;
 pub use outside::Outside;
 pub use pixels::count_off;
 pub use pixels::magnified;
@@ -100,6 +100,7 @@ pub use shown::Lesson;
 pub use shown::Shown;
 pub use sight::Sight;
 pub use sight::Stroke;
+pub use sight::first_hit;
 pub use srgb::decode;
 pub use srgb::encode;
 pub use vectors::Mark;

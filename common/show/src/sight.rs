@@ -78,7 +78,7 @@ pub(crate) fn explain_ray(step: &dyn Step, ray: &Ray) -> Explanation {
 }
 
 /// The t of the first thing in `step` that `ray` hits; `None` when it hits nothing.
-pub(crate) fn first_hit(step: &dyn Step, ray: &Ray) -> Option<f32> {
+pub fn first_hit(step: &dyn Step, ray: &Ray) -> Option<f32> {
     told_hit(&explain_ray(step, ray), ray)
 }
 

@@ -97,14 +97,15 @@ fn write(text: &mut String, scope: &Scope, depth: usize) {
             Part::Scope(inner) => {
                 let (name, width) = (translated(inner.name), 49_usize.saturating_sub(indent));
                 match inner.outcome {
-                    Outcome::Missed(why, condition) => {
+                    // What is told of a part of the algorithm is all that there is to read of it.
+                    Outcome::Missed(why, condition) if depth > 0 => {
                         let (why, condition) = (translated(why), translated(condition));
                         writeln!(text, "{:indent$}{name:<width$} {why}: {condition}", "")
                     }
                     Outcome::Farther(t) => {
                         writeln!(text, "{:indent$}{name:<width$}{}", "", columns(&t.into()))
                     }
-                    Outcome::Told | Outcome::Closest(_) => {
+                    Outcome::Told | Outcome::Missed(..) | Outcome::Closest(_) => {
                         let begun = writeln!(text, "{:indent$}{name}", "");
                         write(text, inner, depth + 1);
                         begun

@@ -17,7 +17,8 @@ use super::arguments::given;
 use super::arguments::language;
 use super::arguments::refusal;
 use super::arguments::unknown;
-use super::check;
+use super::exercises::Exercises;
+use super::exercises::Verdict;
 use super::file;
 use super::help::help;
 use super::job::Job;
@@ -38,7 +39,19 @@ use crate::Size;
 use crate::check_loop;
 use crate::text;
 
-pub(crate) fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
+impl Suite {
+    /// Does what a command line says, which begins with the program's own name. The exit status is 0
+    /// when all was done, 1 when it failed or a comparison found a difference, 2 for wrong usage.
+    ///
+    /// # Panics
+    ///
+    /// When there is no program.
+    pub fn run(&self, arguments: impl Iterator<Item = OsString>) -> ExitCode {
+        run(self, arguments)
+    }
+}
+
+fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
     let arguments: Vec<OsString> = arguments.collect();
     language(&arguments).speak();
     let matches = match command(suite).try_get_matches_from(arguments) {
@@ -57,14 +70,10 @@ pub(crate) fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> E
     if let Err(error) = check_loop(desk.setup().step()) {
         return status(Err(anyhow!(error)));
     }
-    if matches.get_flag("cases") {
-        return status(check::serve(&program.make).map(|()| true));
-    }
-    if let Some(other) = matches.get_one::<String>("check") {
-        if let Err(message) = check::is_step(other) {
-            return usage(&message);
-        }
-        return status(check::check(program, other, matches.get_one::<PathBuf>("output")));
+    if let (Some(other), Some(exercises)) = (given::<String>(&matches, "check"), suite.exercises) {
+        let output = matches.get_one::<PathBuf>("output");
+        let output = output.map_or(Path::new("check.png"), PathBuf::as_path);
+        return check(exercises, program, &other, output);
     }
     let output = matches.get_one::<PathBuf>("output");
     let printed = match arrange(&mut desk, &matches) {
@@ -78,7 +87,7 @@ pub(crate) fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> E
         }
     }
     let desk = desk.sampled(matches.get_one("samples").copied().unwrap_or(1));
-    let job = Job { name: suite.name, session: Session::new(desk) };
+    let job = Job { name: suite.name, exercises: suite.exercises, session: Session::new(desk) };
     if let Some(expected) = matches.get_one::<PathBuf>("compare") {
         if output.is_some_and(|output| file::is_same(output, expected)) {
             return usage(text!("--output names the file to compare, which would be overwritten"));
@@ -91,8 +100,28 @@ pub(crate) fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> E
     }
 }
 
+/// Checks the program of step `other`, and writes to `output` what shows that it is wrong.
+fn check(exercises: &dyn Exercises, program: &Program, other: &str, output: &Path) -> ExitCode {
+    let checked = file::check_destination(output).and_then(|()| exercises.check(program, other));
+    match checked {
+        Ok(Verdict::Unknown(message)) => usage(&message),
+        Ok(Verdict::Right(text)) => status(print(&text).map(|()| true)),
+        Ok(Verdict::Wrong(text, picture)) => {
+            let written = print(&text).and_then(|()| file::save_png(&picture, output));
+            if written.is_ok() {
+                let path = output.display();
+                let written =
+                    text!("expected, found and 8 × their difference written to {path}", path);
+                report(program.name, &written);
+            }
+            status(written.map(|()| false))
+        }
+        Err(error) => status(Err(error)),
+    }
+}
+
 /// Shows it all in a window, or, with no display, writes the picture.
-fn open(job: Job, program: &Program) -> ExitCode {
+fn open(job: Job<'_>, program: &Program) -> ExitCode {
     let desk = job.session.desk();
     match Window::open(&program.title(), desk.picture_size()) {
         Ok(window) => status(shell::run(window, job.session).map(|()| true)),

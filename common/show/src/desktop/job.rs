@@ -7,16 +7,14 @@ use anyhow::Context;
 use anyhow::Result;
 use image::RgbImage;
 
-use super::check;
 use super::drawing::render_parallel;
+use super::exercises::Exercises;
 use super::file;
 use super::progress::Progress;
 use super::said::print;
 use super::said::report;
 use crate::Comparison;
 use crate::Frame;
-use crate::Mistake;
-use crate::Pair;
 use crate::Session;
 use crate::Size;
 use crate::Wanted;
@@ -24,12 +22,13 @@ use crate::side_by_side;
 use crate::text;
 
 /// What is to be made.
-pub(super) struct Job {
+pub(super) struct Job<'a> {
+    pub(super) exercises: Option<&'a dyn Exercises>,
     pub(super) name: &'static str,
     pub(super) session: Session,
 }
 
-impl Job {
+impl Job<'_> {
     /// Writes the picture to the file `path`.
     pub(super) fn write(&self, path: &Path) -> Result<()> {
         let (name, size) = (self.name, self.session.desk().picture_size());
@@ -73,8 +72,8 @@ impl Job {
             let setup = self.session.desk().setup();
             let camera = setup.view().camera(size.aspect());
             let frame = Frame { step: setup.step(), camera: &*camera, size, samples };
-            let pair = Pair { frame, expected: &expected, found: &found };
-            text += &check::said_of(&Mistake::named(&[pair]));
+            let suspect = |known: &dyn Exercises| known.suspect(&frame, &expected, &found);
+            text += &self.exercises.map(suspect).unwrap_or_default();
         }
         print(&text)?;
         let file = file.display();

@@ -18,7 +18,7 @@ pub(crate) fn print(text: &str) -> Result<()> {
 }
 
 /// Says on standard error what was done.
-pub(crate) fn report(name: &str, text: &str) {
+pub fn report(name: &str, text: &str) {
     tell(&format!("{name}: {text}"));
 }
 

@@ -85,6 +85,12 @@ impl Window {
                 size
             )
         );
+        // An empty DISPLAY is none, to X11 and so on every system: where the display is no variable,
+        // nobody could have a program run without one otherwise.
+        ensure!(
+            env::var_os("DISPLAY").is_none_or(|display| !display.is_empty()),
+            text!("no display")
+        );
         let options = WindowOptions {
             resize: true,
             scale_mode: ScaleMode::Stretch,
@@ -154,9 +160,7 @@ fn reason(error: minifb::Error) -> anyhow::Error {
         return anyhow!("{}", text.lines().next().unwrap_or_default().to_owned());
     }
     match env::var("DISPLAY") {
-        Ok(display) if !display.is_empty() => {
-            anyhow!(text!("the display {display} does not answer", display))
-        }
-        _ => anyhow!(text!("no display")),
+        Ok(display) => anyhow!(text!("the display {display} does not answer", display)),
+        Err(_) => anyhow!(text!("no display")),
     }
 }
