@@ -221,7 +221,16 @@ impl Session {
             return;
         }
         let reads = matches!(act, Act::Read(_));
+        let what_ifs = self.desk.what_ifs().len();
         self.act(act);
+        if self.desk.what_ifs().len() > what_ifs {
+            // The new sliders are the first, and keys act on them.
+            self.select_first();
+            self.scroll = 0.0;
+        }
+        if let (Some(panel), Some(line)) = (self.reading_panel(), self.desk.line()) {
+            self.reading_scroll = panel.scroll_to(&Target::Line(line.clone()));
+        }
         if step != self.desk.step() {
             let shown = self.targets();
             if self.selected.as_ref().is_none_or(|selected| !shown.contains(selected)) {
