@@ -1,6 +1,7 @@
 //! What a step tells of a pixel, as a tree.
 
 use crate::Color;
+use crate::LineName;
 use crate::Pixel;
 use crate::Ray;
 use crate::Value;
@@ -85,6 +86,9 @@ pub enum Place {
     ShadowRay(Ray, f32),
 }
 
+/// What the scope of a sum is called.
+pub(crate) const SUM: &str = "sum";
+
 impl Part {
     fn line(&self) -> Option<&Line> {
         if let Self::Line(line) = self { Some(line) } else { None }
@@ -153,6 +157,21 @@ impl Scope {
         }
     }
 
+    /// Whether it tells again what was added, and the sum.
+    pub fn is_sum(&self) -> bool {
+        self.name == SUM
+    }
+
+    /// The line that `name` calls, as it was told last; within something that it is told `about` any of
+    /// that equation.
+    fn last_told(&self, name: &LineName, about: bool) -> Option<&Line> {
+        let about = about || self.name == name.of;
+        self.parts.iter().rev().find_map(|part| match part {
+            Part::Line(line) => Some(line).filter(|line| about && line.equation == name.equation),
+            Part::Scope(inner) => inner.last_told(name, about),
+        })
+    }
+
     /// Whether it is worth reading at first: not if it is about an object that is not seen.
     pub fn is_open(&self) -> bool {
         matches!(self.outcome, Outcome::Told | Outcome::Closest(_))
@@ -177,6 +196,11 @@ impl Explanation {
     /// The value of the first line that is `symbol`, or an equation with it as the left side.
     pub fn value(&self, symbol: &str) -> Option<Value> {
         self.lines().find(|line| line.symbol() == symbol).map(|line| line.value)
+    }
+
+    /// The line that `name` calls, as it was told last; `None` where it is not told.
+    pub fn last_told(&self, name: &LineName) -> Option<&Line> {
+        self.told.last_told(name, false)
     }
 
     /// The scope `name` that is not within another, if there is one.

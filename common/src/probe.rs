@@ -4,8 +4,10 @@ use std::cell::Cell;
 
 use crate::Answer;
 use crate::Color;
+use crate::Line;
 use crate::LineName;
 use crate::Listener;
+use crate::Place;
 use crate::Ray;
 use crate::Value;
 use crate::Vec3;
@@ -38,6 +40,18 @@ pub enum Kept {
     Word(&'static str),
 }
 
+impl From<&Line> for Kept {
+    fn from(line: &Line) -> Self {
+        match (line.value, line.place) {
+            (Value::Number(number), _) => Self::Number(number),
+            (Value::Word(word), _) => Self::Word(word),
+            (Value::Vector(point), Some(Place::Point(_))) => Self::Point(point),
+            (Value::Vector(direction), Some(_)) => Self::Direction(direction),
+            (Value::Vector(color), None) => Self::Color(color),
+        }
+    }
+}
+
 impl<'a> Probe<'a> {
     /// Keeps the line `keep`, if there is one, and answers as `answers` say.
     pub fn new(keep: Option<&'a LineName>, answers: &'a [Answer]) -> Self {
@@ -62,6 +76,14 @@ impl<'a> Probe<'a> {
         if self.marks.may_have(equation) { self.answered(equation, value, kept) } else { value }
     }
 
+    /// Keeps what is only told, and cannot be answered otherwise.
+    #[inline(always)]
+    fn heed(&self, equation: &'static str, kept: impl FnOnce() -> Kept) {
+        if self.marks.may_have(equation) {
+            self.keep(equation, kept());
+        }
+    }
+
     #[cold]
     fn answered<T>(&self, equation: &'static str, value: T, kept: impl FnOnce(T) -> Kept) -> T
     where
@@ -77,6 +99,7 @@ impl<'a> Probe<'a> {
         value
     }
 
+    #[cold]
     fn keep(&self, equation: &'static str, kept: Kept) {
         if let Some(line) = self.keep
             && line.equation == equation
@@ -130,9 +153,15 @@ impl Listener for Probe<'_> {
     fn shadow_ray(
         &self, symbol: &'static str, ray: &Ray, blocker: Option<(&'static str, f32)>,
     ) -> bool {
-        self.keep("shadow ray's d", Kept::Direction(ray.direction));
-        self.keep("blocked by", Kept::Word(blocker.map_or("nothing", |(name, _)| name)));
+        self.heed("shadow ray's d", || Kept::Direction(ray.direction));
+        self.heed("blocked by", || Kept::Word(blocker.map_or("nothing", |(name, _)| name)));
         self.hear(symbol, f32::from(blocker.is_none()), Kept::Number) <= 0.0
+    }
+
+    #[inline]
+    fn miss<T>(&self, why: &'static str, condition: &'static str) -> Option<T> {
+        self.heed(why, || Kept::Word(condition));
+        None
     }
 
     #[inline]

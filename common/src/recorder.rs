@@ -15,6 +15,7 @@ use crate::Ray;
 use crate::Scope;
 use crate::Value;
 use crate::Vec3;
+use crate::explanation::SUM;
 
 /// Writes down what a step tells of a pixel: an [`Explanation`].
 #[derive(Debug)]
@@ -152,7 +153,7 @@ impl Listener for Recorder {
     fn sum(&self, symbol: &'static str, total: Color) -> Color {
         let total = self.altered(symbol, total);
         let terms = std::mem::take(&mut self.told.borrow_mut().current_mut().terms);
-        let _about = self.about("sum");
+        let _about = self.about(SUM);
         for (name, light) in terms {
             self.tell(name, light, None);
         }

@@ -65,7 +65,14 @@ pub enum Act {
     Show(LineName),
     /// The same of the line of this name.
     ShowNamed(String),
-    /// The line is answered otherwise, to begin with as it is; if it is already, no more.
+    /// The shown numbers are told apart from one to another, such as `0,20`.
+    Range(String),
+    /// The shown quantity is seen as a curve too, along the row of the pinned pixel, or no more.
+    Curve,
+    /// The line is the one that keys act on.
+    Choose(LineName),
+    /// The line is answered otherwise, to begin with as it is, or where it is 0 or 1 as it
+    /// is not; if it is already, no more.
     WhatIf(LineName),
     /// A line takes the value that the text names, such as `V=1`.
     Answer(String),

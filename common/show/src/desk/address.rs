@@ -39,9 +39,12 @@ impl Desk {
             flags.push(format!("--samples {}", self.samples));
         }
         flags.extend(self.setup.settings().iter().map(|setting| format!("--set {setting}")));
-        let looks = self.look_flags();
-        flags.extend(looks.iter().map(|(flag, value)| format!("--{flag} '{value}'")));
+        let looks = self.look_flags(true);
+        flags.extend(looks.iter().map(|(flag, value)| format!("--{flag} {}", quoted(value))));
         let pixel = self.pinned().filter(|_| self.vectors);
+        if pixel.is_some() && self.has_curve() {
+            flags.push("--curve".to_owned());
+        }
         if let Some(Pixel { col, row, .. }) = pixel {
             flags.push(format!("--pixel {col},{row}"));
         }
@@ -82,7 +85,10 @@ impl Desk {
         if let Some(Pixel { col, row, .. }) = self.pinned() {
             parts.push(format!("pixel={col},{row}"));
         }
-        parts.extend(self.look_flags().iter().map(|(flag, value)| format!("{flag}={value}")));
+        parts.extend(self.look_flags(false).iter().map(|(flag, value)| format!("{flag}={value}")));
+        if self.curve {
+            parts.push("curve=on".to_owned());
+        }
         if !self.vectors {
             parts.push("vectors=off".to_owned());
         }
@@ -150,7 +156,9 @@ impl Desk {
                 self.pin_pixel(col, row)?;
             }
             "show" => self.show_named(value)?,
+            "range" => self.set_range(value)?,
             "what-if" => self.answer(value)?,
+            "curve" => self.curve = value == "on",
             "size" => self.picture = value.parse::<Size>().map_err(|error| error.to_string())?,
             "language" => self.speak(Language::of_locale(value)),
             "divide" => match value.parse::<f32>() {
@@ -180,6 +188,11 @@ impl Desk {
 fn step_number(name: &str) -> Option<usize> {
     let number = name.strip_prefix("step")?;
     number.split('_').next()?.parse().ok()
+}
+
+/// A word of a command line that a shell leaves as it is.
+fn quoted(word: &str) -> String {
+    if word.contains('\'') { format!("\"{word}\"") } else { format!("'{word}'") }
 }
 
 fn shortened(text: &str, most: usize) -> String {

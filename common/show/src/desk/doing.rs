@@ -9,6 +9,7 @@ use super::Effect;
 use super::OUTSIDE;
 use super::Reading;
 use super::Refusal;
+use super::WhatIf;
 use super::what_if::WHAT_IF;
 use crate::Language;
 use crate::Outside;
@@ -48,10 +49,13 @@ impl Desk {
                 true => self.put_what_if(&name, |control| control.nudged(steps)),
                 false => self.setup.nudge(&name, steps),
             },
-            Act::Reset(name) => match name.starts_with(WHAT_IF) {
-                true => self.what_ifs.retain(|what_if| !name.starts_with(&what_if.name())),
-                false => self.setup.reset(&name),
-            },
+            Act::Reset(name) => {
+                let is_it = |what_if: &WhatIf| {
+                    what_if.settings().iter().any(|setting| setting.name == name)
+                };
+                self.what_ifs.retain(|what_if| !is_it(what_if));
+                self.setup.reset(&name);
+            }
             Act::ResetAll => {
                 self.what_ifs.clear();
                 self.setup.reset_all();
@@ -112,8 +116,14 @@ impl Desk {
                 self.reading = if self.reading == reading { Reading::Pixel } else { reading };
                 return self.repaint();
             }
+            Act::Choose(line) => {
+                self.line = Some(line);
+                return self.repaint();
+            }
             Act::Show(line) => self.show_line(line),
             Act::ShowNamed(name) => self.show_named(&name)?,
+            Act::Range(range) => self.set_range(&range)?,
+            Act::Curve => return self.turn_curve(),
             Act::WhatIf(line) => self.ask_what_if(&line)?,
             Act::Answer(setting) => self.answer(&setting)?,
             Act::Walk(by) => {
@@ -153,7 +163,7 @@ impl Desk {
     }
 
     /// What is shown beside and over the picture is another.
-    fn repaint(&mut self) -> Result<(), Refusal> {
+    pub(super) fn repaint(&mut self) -> Result<(), Refusal> {
         self.ask(Effect::Repaint);
         Ok(())
     }
@@ -189,9 +199,9 @@ impl Desk {
     /// Gives the control `name` of a what-if the value that `value` makes of it.
     fn put_what_if(&mut self, name: &str, value: impl Fn(&Control) -> f32) {
         for what_if in &mut self.what_ifs {
-            let controls = what_if.controls();
-            if let Some(place) = controls.iter().position(|control| control.name == name) {
-                what_if.put(place, value(&controls[place]));
+            let settings = what_if.settings();
+            if let Some(place) = settings.iter().position(|setting| setting.name == name) {
+                what_if.put(place, value(&settings[place].control));
             }
         }
     }
@@ -287,10 +297,11 @@ impl Desk {
             self.reading = Reading::Pixel;
         } else if self.look.quantity.take().is_some() {
             self.ask(Effect::Redraw);
-        } else if self.line.take().is_some() {
-            // The pin stays until the next time.
-        } else if self.pinned.take().is_none() {
-            self.ask(Effect::Quit);
+        } else {
+            self.line = None;
+            if self.pinned.take().is_none() {
+                self.ask(Effect::Quit);
+            }
         }
         self.repaint()
     }

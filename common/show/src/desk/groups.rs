@@ -1,9 +1,7 @@
 //! Which controls stand together beside the picture.
 
 use super::Desk;
-use super::what_if::WHAT_IF;
 use crate::Setting;
-use crate::control::Control;
 
 const CAMERA: &str = "camera";
 
@@ -47,17 +45,8 @@ impl Desk {
                 None => groups.push(Group { name, kind, open: false, settings: vec![setting] }),
             }
         }
-        let what_ifs = self.what_ifs().iter().flat_map(|what_if| what_if.controls());
-        let what_ifs: Vec<Setting> = what_ifs
-            .map(|control| {
-                let label = control.name.trim_start_matches(WHAT_IF).to_owned();
-                Setting {
-                    name: control.name.clone(),
-                    control: Control { name: label, ..control },
-                    changed: true,
-                }
-            })
-            .collect();
+        let what_ifs: Vec<Setting> =
+            self.what_ifs().iter().flat_map(|what_if| what_if.settings()).collect();
         let own = stretches.into_iter().rev().find(|stretch| *stretch != CAMERA).unwrap_or(CAMERA);
         let key = |group: &Group| (group.name == CAMERA, !group.has(own), group.kind.is_some());
         groups.sort_by_key(key);

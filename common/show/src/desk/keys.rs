@@ -161,6 +161,11 @@ pub fn table() -> Vec<Row> {
             act(&[letter('W')], Act::WhatIfLine),
         ),
         row(
+            "U",
+            "the shown line along the pinned pixel's row, as a curve",
+            act(&[letter('U')], Act::Curve),
+        ),
+        row(
             "F1, M",
             "show or hide these keys",
             act(&[Key::F(1), letter('M')], Act::Read(Reading::Keys)),

@@ -5,47 +5,64 @@ use super::Desk;
 use super::Effect;
 use super::Refusal;
 use super::what_if::WhatIf;
-use super::what_if::told;
 use super::what_if::written;
+use crate::Curve;
 use crate::Legend;
 use crate::Lines;
+use crate::Map;
+use crate::named_lines;
 use crate::text;
+use crate::translated;
 use common::Answer;
+use common::Explanation;
 use common::Kept;
 use common::LineName;
+use common::Part;
 use common::Pixel;
-use common::Place;
 use common::Scope;
-use common::Value;
 
 /// How many columns and rows of pixels are asked for which lines there are.
 const SURVEY: (usize, usize) = (24, 14);
 
+/// From here on numbers are as good as infinite.
+const LARGEST: f32 = 1e30;
+
 impl Desk {
-    /// All lines that the step tells, of the pinned pixel first.
-    fn lines(&self) -> Lines {
-        let mut lines = Lines::default();
-        if let Some(explanation) = self.explanation() {
-            lines.add(&explanation);
-        }
+    /// What is told of pixels all over the picture, of the pinned one first.
+    fn surveyed(&self) -> impl Iterator<Item = Explanation> {
         let camera = self.setup.view().camera(self.picture.aspect());
         let (width, height) = SURVEY;
-        for place in 0..width * height {
-            let pixel = Pixel { col: place % width, row: place / width, width, height };
-            lines.add(&self.setup.step().explain(&*camera, pixel));
-        }
+        let pixel = move |place| Pixel { col: place % width, row: place / width, width, height };
+        let all =
+            (0..width * height).map(move |place| self.setup.step().explain(&*camera, pixel(place)));
+        self.explanation().into_iter().chain(all)
+    }
+
+    /// All lines that the step tells.
+    fn lines(&self) -> Lines {
+        let mut lines = Lines::default();
+        self.surveyed().for_each(|explanation| lines.add(&explanation));
         lines
     }
 
     /// The line called `name`, of the pinned pixel's object where there are several.
-    fn line_named(&self, name: &str) -> Result<LineName, Refusal> {
-        if self.program().is_figure {
-            return Err(text!("a figure shows its own panels, not a told line").into());
-        }
+    fn line_named(&self, name: &str, lines: &Lines) -> Result<LineName, Refusal> {
         let light = self.setup.chosen("light");
         let object = self.explanation().as_ref().and_then(crate::vectors::hit_object);
         let meant: Vec<&str> = light.into_iter().chain(object).collect();
-        self.lines().named(name, &meant)
+        lines.named(name, &meant)
+    }
+
+    fn refuse_figures(&self) -> Result<(), Refusal> {
+        match self.program().is_figure {
+            true => Err(text!("a figure shows its own panels, not a told line").into()),
+            false => Ok(()),
+        }
+    }
+
+    /// Whether the step's picture is seen as it is.
+    pub fn is_plain(&self) -> bool {
+        self.look.is_plain()
     }
 
     /// The line that keys act on.
@@ -63,20 +80,38 @@ impl Desk {
         &self.what_ifs
     }
 
-    /// What the colours of the shown quantity stand for, if one is shown.
+    /// What the colours of the shown quantity stand for, if one is shown, and not as any program can.
     pub fn legend(&self) -> Option<Legend<'_>> {
-        let quantity = self.look.quantity.as_ref()?;
+        let quantity = self.look.quantity.as_ref().filter(|_| !self.look.grey)?;
         let explanation = self.explanation();
-        let told = explanation.and_then(|explanation| told(&explanation.told, &quantity.line));
-        let eye = self.setup.view().eye();
-        let pinned = told.map(|(value, place)| match (value, place) {
-            (Value::Number(number), _) => Kept::Number(number),
-            (Value::Vector(_), Some(Place::Point(point))) => Kept::Number(point.distance(eye)),
-            (Value::Vector(vector), Some(_)) => Kept::Direction(vector),
-            (Value::Vector(color), None) => Kept::Color(color),
-            (Value::Word(word), _) => Kept::Word(word),
+        let told = explanation.as_ref().and_then(|told| told.last_told(&quantity.line));
+        let eye = self.seen_from().eye();
+        let pinned = told.map(|line| match Kept::from(line) {
+            Kept::Point(point) => Kept::Number(point.distance(eye)),
+            kept => kept,
         });
-        Some(Legend { quantity, pinned })
+        Some(Legend { quantity, pinned, altered: String::new() })
+    }
+
+    /// Whether there is a curve of the shown quantity.
+    pub fn has_curve(&self) -> bool {
+        self.curve && self.pinned.is_some() && self.onlooker.is_none() && self.legend().is_some()
+    }
+
+    /// The shown quantity along the row of the pinned pixel, if that is to be seen.
+    pub fn curve(&self) -> Option<Curve> {
+        let pixel = self.pinned().filter(|_| self.has_curve())?;
+        let camera = self.setup.view().camera(self.picture.aspect());
+        self.look.curve(pixel, self.setup.step(), &*camera)
+    }
+
+    pub(super) fn turn_curve(&mut self) -> Result<(), Refusal> {
+        self.curve = !self.curve;
+        if self.curve && !self.has_curve() {
+            self.curve = false;
+            self.say(text!("a curve is of a shown line, along the row of the pinned pixel"));
+        }
+        self.repaint()
     }
 
     /// Shows the line as a picture; if it is shown, no more.
@@ -84,28 +119,95 @@ impl Desk {
         let shown = self.shown_line() == Some(&line);
         self.look.quantity = None;
         if !shown {
-            self.look_at(line);
+            self.look_at(line, None);
         }
     }
 
     pub(super) fn show_named(&mut self, name: &str) -> Result<(), Refusal> {
-        let line = self.line_named(name)?;
-        self.look_at(line);
+        self.refuse_figures()?;
+        let line = self.line_named(name, &self.lines())?;
+        self.look_at(line, None);
         Ok(())
     }
 
-    fn look_at(&mut self, line: LineName) {
+    /// Tells the shown numbers apart from one to another, such as `0,20`.
+    pub(super) fn set_range(&mut self, range: &str) -> Result<(), Refusal> {
+        let Some(quantity) = &self.look.quantity else {
+            return Err(text!("a range is one of a shown line: name that with --show").into());
+        };
+        let line = quantity.line.clone();
+        if quantity.map().scale().is_none() {
+            let name = translated(line.symbol());
+            return Err(text!("'{name}' has no range: it is no number", name).into());
+        }
+        let number = |text: &str| text.trim().parse().ok().filter(|end: &f32| end.abs() < LARGEST);
+        let ends = range.split_once(',');
+        let ends = ends.and_then(|(low, high)| number(low).zip(number(high)));
+        let ends = ends.filter(|(low, high)| low < high);
+        if ends.is_none() {
+            return Err(text!("a range is LOW,HIGH: two numbers, the lower one first").into());
+        }
+        self.look_at(line, ends);
+        Ok(())
+    }
+
+    fn look_at(&mut self, line: LineName, range: Option<(f32, f32)>) {
         let view = self.seen_from().clone();
         let camera = view.camera(self.picture.aspect());
-        self.look.show(line, self.setup.step(), &*camera, view.eye());
+        self.look.show(line, range, self.setup.step(), &*camera, view.eye());
     }
 
     /// Gives the shown quantity the colours of its values as they are now.
     pub(super) fn look_again(&mut self) {
         self.look.answers = self.what_ifs.iter().map(|what_if| what_if.answer.clone()).collect();
         if let Some(quantity) = &self.look.quantity {
-            self.look_at(quantity.line.clone());
+            self.look_at(quantity.line.clone(), quantity.range);
         }
+    }
+
+    /// The same with the shown line as any program can draw it, so that it can be compared.
+    ///
+    /// # Errors
+    ///
+    /// When the line's values are words.
+    pub fn greyed(mut self) -> Result<Self, Refusal> {
+        if let Some(quantity) = &self.look.quantity {
+            let line = quantity.line.clone();
+            let range = quantity.range;
+            if let Map::Words(_) = quantity.map() {
+                let name = translated(&line.equation);
+                return Err(text!("'{name}' is a word: it has no colour to compare", name).into());
+            }
+            self.look.grey = true;
+            self.look.quantity = None;
+            self.look_at(line, range);
+        }
+        Ok(self)
+    }
+
+    /// How a program draws the shown line, if it is [greyed](Self::greyed).
+    pub fn mapping(&self) -> Option<String> {
+        let quantity = self.look.quantity.as_ref().filter(|_| self.look.grey)?;
+        let line = translated(&quantity.line.equation);
+        Some(match (quantity.map(), quantity.map().scale()) {
+            (Map::Distances(_), Some(scale)) => text!(
+                "{line}: how far it is from the eye as grey, {low} is black and {high} white",
+                line,
+                low = scale.low,
+                high = scale.high
+            ),
+            (_, Some(scale)) => text!(
+                "{line} as grey, {low} is black and {high} white",
+                line,
+                low = scale.low,
+                high = scale.high
+            ),
+            (Map::Directions, None) => text!(
+                "{line} of length 1, with 255 (x + 1)/2 as red, 255 (y + 1)/2 as green, 255 (z + 1)/2 as blue",
+                line
+            ),
+            (_, None) => text!("{line} as a colour of the picture", line),
+        })
     }
 
     /// Answers the line as it is, to be changed by its controls; if it is answered otherwise, no more.
@@ -113,7 +215,7 @@ impl Desk {
         let count = self.what_ifs.len();
         self.what_ifs.retain(|what_if| what_if.answer.line != *line);
         if self.what_ifs.len() == count {
-            let told = self.explanation().and_then(|explanation| WhatIf::new(line, &explanation));
+            let told = self.surveyed().find_map(|explanation| WhatIf::new(line, &explanation));
             let what_if = told.ok_or(text!("this line has no value that could be another"))?;
             self.what_ifs.push(what_if);
         }
@@ -122,16 +224,18 @@ impl Desk {
 
     /// Answers a line as `setting` says, such as `V=1` or `key light: n·l=0.5`.
     pub(super) fn answer(&mut self, setting: &str) -> Result<(), Refusal> {
+        self.refuse_figures()?;
         let (name, value) = setting.rsplit_once('=').ok_or_else(|| {
             text!("--what-if takes LINE=VALUE, and '{setting}' has no '='", setting)
         })?;
-        let mut line = self.line_named(name)?;
+        let mut line = self.line_named(name, &self.lines())?;
         // Without a light or an object it holds for all of them.
         if !name.contains(':') {
             line.of = String::new();
         }
         let mut what_if = self
-            .somewhere_told(&line)
+            .surveyed()
+            .find_map(|explanation| WhatIf::new(&line, &explanation))
             .ok_or_else(|| text!("'{name}' has no value that could be another", name))?;
         if !what_if.read(value) {
             return Err(Refusal::Because(text!(
@@ -145,38 +249,22 @@ impl Desk {
         Ok(())
     }
 
-    /// The line as it is told somewhere in the picture.
-    fn somewhere_told(&self, line: &LineName) -> Option<WhatIf> {
-        let camera = self.setup.view().camera(self.picture.aspect());
-        let (width, height) = SURVEY;
-        let pinned = self.explanation().and_then(|told| WhatIf::new(line, &told));
-        pinned.or_else(|| {
-            (0..width * height).find_map(|place| {
-                let pixel = Pixel { col: place % width, row: place / width, width, height };
-                WhatIf::new(line, &self.setup.step().explain(&*camera, pixel))
-            })
-        })
-    }
-
     /// The lines of the pinned pixel that are read at first, in the order in which they stand: the last
     /// section first.
     fn readable(&self) -> Vec<LineName> {
-        fn add(scope: &Scope, lines: &mut Vec<LineName>) {
+        fn add(scope: &Scope, around: &Scope, lines: &mut Vec<LineName>) {
+            let mut named = named_lines(scope, around).into_iter().map(|(_, name)| name);
             for part in &scope.parts {
                 match part {
-                    common::Part::Line(line) if scope.name != "sum" => lines.push(LineName {
-                        equation: line.equation.to_owned(),
-                        of: scope.name.to_owned(),
-                    }),
-                    common::Part::Line(_) => {}
-                    common::Part::Scope(inner) if inner.is_open() => add(inner, lines),
-                    common::Part::Scope(_) => {}
+                    Part::Line(_) => lines.extend(named.next().flatten()),
+                    Part::Scope(inner) if inner.is_open() => add(inner, scope, lines),
+                    Part::Scope(_) => {}
                 }
             }
         }
         let mut lines = Vec::new();
-        if let Some(explanation) = self.explanation() {
-            explanation.told.scopes().rev().for_each(|section| add(section, &mut lines));
+        if let Some(Explanation { told, .. }) = self.explanation() {
+            told.scopes().rev().for_each(|section| add(section, &told, &mut lines));
         }
         lines
     }
@@ -199,15 +287,38 @@ impl Desk {
 
     /// What there is to be said of all that is not as the step has it.
     pub fn altered(&self) -> Option<String> {
-        let settings: Vec<String> = self.what_ifs.iter().map(WhatIf::setting).collect();
+        let setting = |what_if: &WhatIf| format!("{} = {}", what_if.label(), what_if.value());
+        let settings: Vec<String> = self.what_ifs.iter().map(setting).collect();
         (!settings.is_empty()).then(|| text!("What if {settings}?", settings = settings.join(", ")))
     }
 
-    /// The flags that show this look, with their values.
-    pub(super) fn look_flags(&self) -> Vec<(&'static str, String)> {
-        let shown = self.look.quantity.iter().map(|quantity| ("show", written(&quantity.line)));
-        let what_ifs = self.what_ifs.iter().map(|what_if| ("what-if", what_if.setting()));
-        shown.chain(what_ifs).collect()
+    /// The flags that show this look, with their values; `short` as a hand would type them.
+    pub(super) fn look_flags(&self, short: bool) -> Vec<(&'static str, String)> {
+        if self.look.is_plain() {
+            return Vec::new();
+        }
+        let lines = if short { self.lines() } else { Lines::default() };
+        let name = |line: &LineName, all: bool| {
+            let is_it = |name: &&String| {
+                let mut found = self.line_named(name, &lines);
+                if let (Ok(found), true) = (&mut found, all && !name.contains(':')) {
+                    found.of = String::new();
+                }
+                found.as_ref() == Ok(line)
+            };
+            let names = [line.symbol().to_owned(), line.equation.clone()];
+            let typed = names.iter().find(is_it).filter(|_| short);
+            typed.cloned().unwrap_or_else(|| written(line))
+        };
+        let mut flags = Vec::new();
+        if let Some(quantity) = &self.look.quantity {
+            flags.push(("show", name(&quantity.line, false)));
+            flags.extend(quantity.range.map(|(low, high)| ("range", format!("{low},{high}"))));
+        }
+        flags.extend(self.what_ifs.iter().map(|what_if| {
+            ("what-if", format!("{}={}", name(&what_if.answer.line, true), what_if.value()))
+        }));
+        flags
     }
 
     /// What is answered otherwise.

@@ -70,6 +70,8 @@ pub struct Desk {
     line: Option<LineName>,
     what_ifs: Vec<WhatIf>,
     look: Look,
+    /// The shown line is seen as a curve too, if a pixel is pinned.
+    curve: bool,
     /// The centre of the pinned pixel, as a part of the width from the left and of the height
     /// from the top.
     pinned: Option<(f32, f32)>,
@@ -127,6 +129,7 @@ impl Desk {
             line: None,
             what_ifs: Vec::new(),
             look: Look::default(),
+            curve: false,
             pinned: None,
             language: Language::spoken(),
             effects: Vec::new(),

@@ -1,14 +1,14 @@
 //! A told line answered otherwise, and the controls that say how.
 
+use crate::Setting;
 use crate::control::AXES;
 use crate::control::Control;
+use crate::translated;
 use common::Answer;
 use common::Explanation;
 use common::Kind;
 use common::LineName;
-use common::Part;
 use common::Place;
-use common::Scope;
 use common::Value;
 use common::Vec3;
 
@@ -36,16 +36,18 @@ enum Told {
 }
 
 impl WhatIf {
-    /// The line as it is told in `explanation`, answered as it is; `None` where it is not told, or is a
-    /// word.
+    /// The line as it is told in `explanation`, answered as it is, or, where it is 0 or 1 alone, as it is
+    /// not; `None` where it is not told, or nobody goes on computing with it: a word, a ray.
     pub(super) fn new(line: &LineName, explanation: &Explanation) -> Option<Self> {
-        let (value, place) = told(&explanation.told, line)?;
-        let told = match (value, place) {
-            (Value::Number(_), _) if line.equation == "V" => Told::Truth,
-            (Value::Number(number), _) => Told::Number(number),
-            (Value::Vector(vector), Some(_)) => Told::Vector(vector),
-            (Value::Vector(color), None) => Told::Color(color),
-            (Value::Word(_), _) => return None,
+        let told = explanation.last_told(line)?;
+        let (value, told) = match (told.value, told.place) {
+            (Value::Number(number), _) if line.equation == "V" => {
+                (Value::Number(1.0 - number), Told::Truth)
+            }
+            (Value::Number(number), _) => (told.value, Told::Number(number)),
+            (Value::Vector(_), Some(Place::ShadowRay(..))) | (Value::Word(_), _) => return None,
+            (Value::Vector(vector), Some(_)) => (told.value, Told::Vector(vector)),
+            (Value::Vector(color), None) => (told.value, Told::Color(color)),
         };
         Some(Self { answer: Answer { line: line.clone(), value }, told })
     }
@@ -55,41 +57,49 @@ impl WhatIf {
         format!("{WHAT_IF}{}", written(&self.answer.line))
     }
 
-    /// As a command line says it: `key light: V=1`.
-    pub(super) fn setting(&self) -> String {
-        let value = match self.answer.value {
+    /// The value as a command line says it: `1`, or `0.5,0,1`.
+    pub(super) fn value(&self) -> String {
+        match self.answer.value {
             Value::Number(number) => number.to_string(),
             Value::Vector(v) => v.to_array().map(|part| part.to_string()).join(","),
             Value::Word(word) => word.to_owned(),
-        };
-        format!("{}={value}", written(&self.answer.line))
+        }
+    }
+
+    /// Its symbol, and what it is told about: in a narrow column the symbol is still read.
+    pub(super) fn label(&self) -> String {
+        let LineName { of, .. } = &self.answer.line;
+        let symbol = translated(self.answer.line.symbol());
+        if of.is_empty() { symbol.to_owned() } else { format!("{symbol} · {}", translated(of)) }
     }
 
     /// Its controls: one for a number or for light, three for a direction or a point.
-    pub(super) fn controls(&self) -> Vec<Control> {
-        let control = |name: String, kind, value| Control {
-            name,
-            group: "what if",
-            of: None,
-            axis: None,
-            kind,
-            value,
+    pub(super) fn settings(&self) -> Vec<Setting> {
+        let setting = |axis: &str, kind, value| Setting {
+            name: format!("{}{axis}", self.name()),
+            control: Control {
+                name: format!("{}{axis}", self.label()),
+                group: "what if",
+                of: None,
+                axis: None,
+                kind,
+                value,
+            },
+            changed: true,
         };
-        let name = self.name();
         match (self.told, self.answer.value) {
-            (Told::Truth, Value::Number(value)) => vec![control(name, Kind::Switch, value)],
+            (Told::Truth, Value::Number(value)) => vec![setting("", Kind::Switch, value)],
             (Told::Number(told), Value::Number(value)) => {
-                vec![control(name, Kind::Number(range(told)), value)]
+                vec![setting("", Kind::Number(range(told)), value)]
             }
             (Told::Color(told), Value::Vector(color)) => {
                 let most = 2.0 * told.max_element().max(0.5);
-                vec![control(name, Kind::Number(0.0..=most), color.max_element())]
+                vec![setting("", Kind::Number(0.0..=most), color.max_element())]
             }
             (Told::Vector(told), Value::Vector(vector)) => {
                 let most = told.abs().max_element().max(1.0);
                 let axis = |axis: usize| {
-                    let name = format!("{name}.{}", AXES[axis]);
-                    control(name, Kind::Number(-most..=most), vector[axis])
+                    setting(&format!(".{}", AXES[axis]), Kind::Number(-most..=most), vector[axis])
                 };
                 (0..AXES.len()).map(axis).collect()
             }
@@ -97,7 +107,7 @@ impl WhatIf {
         }
     }
 
-    /// Takes the value of one of its [controls](Self::controls), by its place.
+    /// Takes the value of one of its [settings](Self::settings), by its place.
     pub(super) fn put(&mut self, place: usize, number: f32) {
         match (self.told, &mut self.answer.value) {
             (Told::Color(told), Value::Vector(color)) => {
@@ -126,31 +136,12 @@ impl WhatIf {
     }
 }
 
-/// A line's name as it is typed.
+/// A line's name as it is typed: no other line is called so, wherever it is typed.
 pub(super) fn written(line: &LineName) -> String {
     match line.of.as_str() {
-        "" => line.symbol().to_owned(),
+        "" => format!(": {}", line.equation),
         of => format!("{of}: {}", line.symbol()),
     }
-}
-
-/// What is told of `line` within `scope`, and where that is in the world.
-pub(super) fn told(scope: &Scope, line: &LineName) -> Option<(Value, Option<Place>)> {
-    scope.parts.iter().find_map(|part| match part {
-        Part::Line(told) => {
-            let is_it =
-                told.equation == line.equation && [scope.name, ""].contains(&line.of.as_str());
-            is_it.then_some((told.value, told.place))
-        }
-        Part::Scope(inner) => {
-            // What is told of a thing is told within it, too.
-            let line = match inner.name == line.of {
-                true => LineName { of: String::new(), ..line.clone() },
-                false => line.clone(),
-            };
-            told(inner, &line)
-        }
-    })
 }
 
 /// What a number's slider ranges over.

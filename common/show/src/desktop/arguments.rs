@@ -84,7 +84,8 @@ pub(super) fn command(suite: &Suite) -> Command {
     }
     if suite.exercises.is_some() {
         let mut others = vec![
-            "size", "camera", "set", "samples", "pixel", "outside", "compare", "show", "what-if",
+            "size", "camera", "set", "samples", "pixel", "outside", "compare", "show", "range",
+            "curve", "what-if",
         ];
         others.extend(["divide", "difference"].iter().filter(|_| last > 1));
         command = command.arg(option("check", "STEP").conflicts_with_all(others));
@@ -98,7 +99,15 @@ pub(super) fn command(suite: &Suite) -> Command {
         .arg(option("size", "WxH").short('s').value_parser(size))
         .arg(option("camera", "KIND").value_parser(View::PROJECTIONS))
         .arg(option("set", "NAME=VALUE").action(ArgAction::Append))
-        .arg(option("show", "LINE").conflicts_with("samples"))
+        .arg(option("show", "LINE"))
+        .arg(option("range", "LOW,HIGH").requires("show"))
+        .arg(
+            Arg::new("curve")
+                .long("curve")
+                .action(ArgAction::SetTrue)
+                .requires("show")
+                .requires("pixel"),
+        )
         .arg(option("what-if", "LINE=V").action(ArgAction::Append))
         .arg(option("samples", "N").value_parser(samples))
         .arg(option("pixel", "X,Y").value_parser(pixel))

@@ -86,7 +86,12 @@ fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
             return status(printed.map(|()| true));
         }
     }
+    let compared = matches.contains_id("compare");
     let desk = desk.sampled(matches.get_one("samples").copied().unwrap_or(1));
+    let desk = match if compared { desk.greyed() } else { Ok(desk) } {
+        Ok(desk) => desk,
+        Err(refusal) => return usage(&refusal.to_string()),
+    };
     let job = Job { name: suite.name, exercises: suite.exercises, session: Session::new(desk) };
     if let Some(expected) = matches.get_one::<PathBuf>("compare") {
         if output.is_some_and(|output| file::is_same(output, expected)) {
@@ -171,7 +176,16 @@ fn arrange(desk: &mut Desk, matches: &ArgMatches) -> Result<Option<String>, Stri
         }
         acts.push(Act::PinPixel(*col, *row));
     }
-    acts.extend(matches.get_one::<String>("show").cloned().map(Act::ShowNamed));
+    let shown = matches.get_one::<String>("show");
+    if shown.is_some() && matches.contains_id("samples") {
+        return Err(text!(
+            "a shown line has one ray a pixel: the mean of words, or of two directions, is none of them, so leave --samples away"
+        )
+        .to_owned());
+    }
+    acts.extend(shown.cloned().map(Act::ShowNamed));
+    acts.extend(matches.get_one::<String>("range").cloned().map(Act::Range));
+    acts.extend(matches.get_flag("curve").then_some(Act::Curve));
     let mut printed = None;
     for act in acts {
         for effect in desk.act(act).map_err(|refusal| told(&refusal))? {

@@ -56,10 +56,14 @@ Options:
                           picture with its rays and vectors, and the equations beside it
       --outside           with -o, write the camera as it is seen from outside; --set also takes
                           outside.azimuth, outside.elevation and outside.distance
-      --show LINE         the picture of a told line at every pixel: 'n·l', 'key: n·l'
+      --show LINE         the picture of a told line at every pixel: 'n·l', 'key: n·l'; one that
+                          there is not, such as ?, lists all
+      --range LOW,HIGH    with --show, between which numbers its colours tell apart
+      --curve             with --show and --pixel, the line along the pixel's row too
       --what-if LINE=V    a told line answered otherwise: 'V=1', 'L_s=0'; repeatable
       --compare FILE      render, say how far FILE is from it and where; exit 1 if they differ;
-                          with -o, write expected, found and difference side by side{check}{lecture}
+                          with -o, write expected, found and difference side by side; with --show,
+                          compare a picture of that line, numbers as grey{check}{lecture}
       --language pt|en    Portuguese or English; else the system's language
   -h, --help              this text
 

@@ -68,7 +68,10 @@ impl Job<'_> {
         let (expected, time) = self.render();
         let comparison = Comparison::new(&expected, &found, &[]);
         let mut text = format!("{}: {comparison}\n", file.display());
-        if matches!(comparison, Comparison::Different(_)) {
+        if let Some(mapping) = desk.mapping() {
+            text += &text!("expected is {mapping}; black where it is not told\n", mapping);
+        }
+        if matches!(comparison, Comparison::Different(_)) && desk.is_plain() {
             let setup = self.session.desk().setup();
             let camera = setup.view().camera(size.aspect());
             let frame = Frame { step: setup.step(), camera: &*camera, size, samples };

@@ -12,6 +12,7 @@ use crate::Sight;
 use crate::marks;
 use crate::pen::Pen;
 use crate::sight::explain_ray;
+use crate::ticks;
 use crate::translated;
 use crate::vectors::draw_marks;
 use common::Color;
@@ -44,23 +45,6 @@ pub struct Axes {
     area: Area,
     x: Range<f32>,
     y: Range<f32>,
-}
-
-/// The multiples of 1, 2 or 5 times a power of ten in `range`, at most `most` or one more.
-fn ticks(range: &Range<f32>, most: f32) -> impl Iterator<Item = f32> {
-    let least = (range.end - range.start) / most.max(1.0);
-    let power = 10.0_f32.powf(least.log10().floor());
-    let step = [1.0, 2.0, 5.0].map(|factor| factor * power).into_iter().find(|step| *step >= least);
-    let step = step.unwrap_or(10.0 * power);
-    let (first, last) = ((range.start / step - 1e-3).ceil(), (range.end / step + 1e-3).floor());
-    (0..=(last - first).clamp(0.0, 100.0) as u16)
-        .map(move |index| step * (first + f32::from(index)))
-}
-
-/// `number` without the digits that rounding made.
-fn short(number: f32) -> String {
-    let text = format!("{number:.3}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 impl Axes {
@@ -128,17 +112,19 @@ impl<'a> Sketch<'a> {
             Area::new(left + 4.0 * letter, top + size, width - 6.0 * letter, height - 4.0 * size);
         let axes = Axes { area, x, y };
         let (thin, start) = (self.stroke / 2.0, (axes.x.start, axes.y.start));
-        for x in ticks(&axes.x, area.width / (5.0 * letter)) {
+        let (ticks_x, step) = ticks::ticks(&axes.x, area.width / (5.0 * letter));
+        for x in ticks_x {
             let (foot, head) = (axes.at(x, start.1), axes.at(x, axes.y.end));
             self.canvas.line(foot, head, thin, GRID);
             let below = (foot.0, foot.1 + 0.3 * size);
-            self.canvas.text(below, Anchor::Top, size, NUMBERS, &short(x));
+            self.canvas.text(below, Anchor::Top, size, NUMBERS, &ticks::short(x, step));
         }
-        for y in ticks(&axes.y, area.height / (2.0 * size)) {
+        let (ticks_y, step) = ticks::ticks(&axes.y, area.height / (2.0 * size));
+        for y in ticks_y {
             let (from, to) = (axes.at(start.0, y), axes.at(axes.x.end, y));
             self.canvas.line(from, to, thin, GRID);
             let beside = (from.0 - 0.5 * letter, from.1);
-            self.canvas.text(beside, Anchor::Right, size, NUMBERS, &short(y));
+            self.canvas.text(beside, Anchor::Right, size, NUMBERS, &ticks::short(y, step));
         }
         let corner = axes.at(start.0, start.1);
         self.canvas.line(corner, area.at(Anchor::TopLeft), thin, NUMBERS);
@@ -174,10 +160,11 @@ impl<'a> Sketch<'a> {
             self.canvas.fill(area, Ink::encoded(color(range.start + part * span)));
         }
         self.canvas.border(Area::new(left, top, width, size), 1.0, NUMBERS);
-        for number in ticks(&range, 5.0) {
+        let (ticks, step) = ticks::ticks(&range, 5.0);
+        for number in ticks {
             let x = left + (number - range.start) / span * width;
             let below = (x, top + 1.2 * size);
-            self.canvas.label(below, Anchor::Top, size, Ink::WHITE, &short(number));
+            self.canvas.label(below, Anchor::Top, size, Ink::WHITE, &ticks::short(number, step));
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Map;
 use super::Quantity;
+use super::STRIPES;
 use super::Scale;
 use super::map::word_rgb;
 use crate::Anchor;
@@ -11,6 +12,7 @@ use crate::Font;
 use crate::Ink;
 use crate::text;
 use crate::translated;
+use common::Color;
 use common::Kept;
 use common::Vec3;
 
@@ -20,11 +22,14 @@ pub struct Legend<'a> {
     pub quantity: &'a Quantity,
     /// Its value at the pinned pixel, if one is pinned; points are how far they are from the eye.
     pub pinned: Option<Kept>,
+    /// What else is to be said of it, if there is something: that a line is answered otherwise.
+    pub altered: String,
 }
 
 const TEXT: Ink = Ink::grey(238);
 const FAINT: Ink = Ink::new(163, 172, 186);
-const HATCH: Ink = Ink::grey(38);
+const PINNED: Ink = Ink::new(255, 208, 64);
+const ALTERED: Ink = Ink::new(255, 150, 70);
 
 /// In how many pieces a bar of colours is drawn.
 const PIECES: u16 = 256;
@@ -41,32 +46,57 @@ impl Legend<'_> {
             "" => String::new(),
             of => format!("{}: ", translated(of)),
         };
-        let title = format!("{about}{}", translated(&line.equation));
-        let top = area.at(Anchor::TopLeft);
+        let unit = match map {
+            Map::Distances(_) => text!(" · distance from the eye"),
+            _ => "",
+        };
+        let title = format!("{about}{}{unit}", translated(&line.equation));
         let not_told = text!("not told");
         let note = Font::width(em, not_told) + 1.6 * em;
-        canvas.text_within(top, Anchor::TopLeft, em, TEXT, &title, area.width - note);
-        let right = area.at(Anchor::TopRight);
+        let (top, right) = (area.at(Anchor::TopLeft), area.at(Anchor::TopRight));
+        let room = area.width - note;
+        canvas.text_within(top, Anchor::TopLeft, em, TEXT, &title, room);
+        let wide = Font::width(em, &title) + em;
+        let after = (top.0 + wide, top.1);
+        canvas.text_within(
+            after,
+            Anchor::TopLeft,
+            em,
+            ALTERED,
+            &self.altered,
+            (room - wide).max(0.0),
+        );
         canvas.text(right, Anchor::TopRight, em, FAINT, not_told);
-        let swatch = Area::new(right.0 - note + 0.4 * em, right.1 + 0.2 * em, 0.9 * em, 0.7 * em);
-        canvas.fill(swatch, HATCH);
-        canvas.border(swatch, 1.0, FAINT);
+        draw_hatch(
+            canvas,
+            Area::new(right.0 - note + 0.4 * em, right.1 + 0.2 * em, 0.9 * em, 0.8 * em),
+        );
         let below = Area { top: area.top + 1.5 * em, height: area.height - 1.5 * em, ..area };
         match map {
-            Map::Numbers(scale) => self.draw_scale(canvas, below, em, scale),
+            Map::Numbers(scale) | Map::Distances(scale) => {
+                self.draw_scale(canvas, below, em, scale)
+            }
+            Map::Truths => {
+                let names = [1.0, 0.0].map(|truth| {
+                    let name = format!("{} = {truth}", line.symbol());
+                    let pinned = self.pinned == Some(Kept::Number(truth));
+                    (name, Scale::new(0.0, 1.0).rgb(truth), pinned)
+                });
+                draw_names(canvas, below, em, names.into_iter());
+            }
             Map::Directions => draw_directions(canvas, below, em),
             Map::Colors => {
-                let words = text!("light as it is; what is above 1 is white");
-                canvas.text_within(
-                    below.at(Anchor::TopLeft),
-                    Anchor::TopLeft,
-                    em,
-                    FAINT,
-                    words,
-                    below.width,
-                );
+                let words = text!("a colour as it is; what is above 1 is white");
+                let at = below.at(Anchor::TopLeft);
+                canvas.text_within(at, Anchor::TopLeft, em, FAINT, words, below.width);
             }
-            Map::Words(words) => draw_words(canvas, below, em, words),
+            Map::Words(words) => {
+                let names = words.iter().map(|word| {
+                    let pinned = self.pinned == Some(Kept::Word(word));
+                    (translated(word).to_owned(), word_rgb(words, word), pinned)
+                });
+                draw_names(canvas, below, em, names);
+            }
         }
     }
 
@@ -81,20 +111,34 @@ impl Legend<'_> {
         }
         canvas.border(bar, 1.0, FAINT);
         let below = bar.bottom() + 0.15 * em;
-        for tick in scale.ticks() {
+        for (tick, text) in scale.ticks((bar.width / (5.0 * em)).min(5.0)) {
             let x = bar.left + scale.part(tick) * bar.width;
             canvas.line((x, bar.bottom() - 0.25 * em), (x, bar.bottom()), 1.5, Ink::WHITE);
-            let anchor = Anchor::Top;
-            canvas.text((x, below), anchor, em, TEXT, &short(tick));
+            let half = 0.5 * Font::width(em, &text);
+            let x = x.min(area.right() - half).max(area.left + half);
+            canvas.text((x, below), Anchor::Top, em, TEXT, &text);
         }
         if let Some(Kept::Number(value)) = self.pinned {
             let x = bar.left + scale.part(value) * bar.width;
             let (tip, wide) = (bar.top - 0.05 * em, 0.4 * em);
             let corners =
                 [(x, tip + 0.35 * em), (x - wide, tip - 0.35 * em), (x + wide, tip - 0.35 * em)];
-            canvas.triangle(corners, Ink::new(255, 208, 64));
+            canvas.triangle(corners, PINNED);
         }
     }
+}
+
+/// A piece of what stands where a line is not told.
+fn draw_hatch(canvas: &mut Canvas<'_>, area: Area) {
+    let [dark, light] = STRIPES.map(|light| Ink::encoded(Color::splat(light)));
+    canvas.fill(area, dark);
+    let mut inner = canvas.clipped(area);
+    let (width, height) = (area.width / 3.0, area.height);
+    for stripe in 0..5_u8 {
+        let x = area.left + f32::from(stripe) * width;
+        inner.line((x, area.top), (x - height, area.bottom()), 0.35 * width, light);
+    }
+    canvas.border(area, 1.0, FAINT);
 }
 
 /// A sphere whose normals have the colours of directions, and what each channel is.
@@ -121,28 +165,23 @@ fn draw_directions(canvas: &mut Canvas<'_>, area: Area, em: f32) {
     canvas.text_within(at, Anchor::Left, em, TEXT, words, area.right() - at.0);
 }
 
-/// Each word behind its colour.
-fn draw_words(canvas: &mut Canvas<'_>, area: Area, em: f32, words: &[&str]) {
-    let (mut x, mut y) = (area.left, area.top);
-    for word in words {
-        let name = translated(word);
-        let width = 1.2 * em + Font::width(em, name);
-        if x + width > area.right() && x > area.left {
-            (x, y) = (area.left, y + 1.25 * em);
+/// Each name behind its colour, the pinned one's in a frame.
+fn draw_names(
+    canvas: &mut Canvas<'_>, area: Area, em: f32,
+    names: impl Iterator<Item = (String, [u8; 3], bool)>,
+) {
+    let (mut x, mut y) = (area.left + 0.2 * em, area.top);
+    for (name, rgb, pinned) in names {
+        let width = 1.3 * em + Font::width(em, &name);
+        if x + width > area.right() && x > area.left + em {
+            (x, y) = (area.left + 0.2 * em, y + 1.25 * em);
         }
-        let [r, g, b] = word_rgb(words, word);
-        canvas.fill(Area::new(x, y + 0.2 * em, 0.8 * em, 0.8 * em), Ink::new(r, g, b));
-        canvas.text((x + 1.0 * em, y), Anchor::TopLeft, em, TEXT, name);
+        let swatch = Area::new(x, y + 0.2 * em, 0.8 * em, 0.8 * em);
+        canvas.fill(swatch, Ink { rgb, alpha: 255 });
+        if pinned {
+            canvas.border(swatch.inset(-0.2 * em), 0.15 * em, PINNED);
+        }
+        canvas.text((x + 1.1 * em, y), Anchor::TopLeft, em, TEXT, &name);
         x += width + 0.8 * em;
     }
-}
-
-/// A number of a scale, in as few digits as it has.
-fn short(number: f32) -> String {
-    if number != 0.0 && !(1e-3..1e5).contains(&number.abs()) {
-        return format!("{number:.0e}");
-    }
-    let text = format!("{number:.4}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0" } else { text }.replace('-', "−")
 }

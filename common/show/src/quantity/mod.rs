@@ -1,8 +1,10 @@
 //! A told line as a picture.
 
+mod curve;
 mod legend;
 mod lines;
 mod map;
+mod scale;
 
 use common::Answer;
 use common::Camera;
@@ -18,11 +20,14 @@ use common::Step;
 use common::Vec3;
 use common::View;
 
+pub use curve::Curve;
 pub use legend::Legend;
 pub use lines::Lines;
+pub use lines::named_lines;
 pub use map::Map;
 use map::Palette;
-pub use map::Scale;
+use map::measured;
+pub use scale::Scale;
 
 /// How a step's picture is looked at: which told line it shows, and which lines are answered otherwise.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -31,6 +36,8 @@ pub struct Look {
     pub quantity: Option<Quantity>,
     /// What is answered otherwise.
     pub answers: Vec<Answer>,
+    /// As any program can draw a line: numbers are grey, and what is not told is black.
+    pub grey: bool,
 }
 
 /// A told line, and the colours in which its values are shown.
@@ -38,16 +45,13 @@ pub struct Look {
 pub struct Quantity {
     /// The line.
     pub line: LineName,
+    /// Between which numbers its colours tell apart, if not between those that it has.
+    pub range: Option<(f32, f32)>,
     /// The colours.
     palette: Palette,
 }
 
 impl Quantity {
-    /// The line, in the colours of `map`.
-    pub fn new(line: LineName, map: Map) -> Self {
-        Self { line, palette: Palette::new(map) }
-    }
-
     /// Which colour stands for which value.
     pub fn map(&self) -> &Map {
         &self.palette.map
@@ -73,43 +77,52 @@ impl Look {
         self.quantity.is_none() && self.answers.is_empty()
     }
 
-    /// What is told of `line` in a coarse picture of `step`.
-    fn survey(
-        &self, line: &LineName, step: &dyn Step, camera: &dyn Camera, eye: Vec3,
+    /// What is told of `line` at `pixels`.
+    fn told(
+        &self, line: &LineName, step: &dyn Step, camera: &dyn Camera,
+        pixels: impl Iterator<Item = Pixel>,
     ) -> Vec<Option<Kept>> {
-        let (width, height) = SURVEY;
         let probe = Probe::new(Some(line), &self.answers);
-        let pixels = (0..width * height).map(|place| {
-            let (col, row) = (place % width, place / width);
-            step.probe(camera, Pixel { col, row, width, height }, &probe);
-            probe.take().map(|kept| measured(kept, eye))
-        });
-        pixels.collect()
+        let told = |pixel| {
+            step.probe(camera, pixel, &probe);
+            probe.take()
+        };
+        pixels.map(told).collect()
     }
 
-    /// Shows `line`, with colours for the values that it has in `step`. Where the line is shown already
-    /// its colours stay as long as they do for these values.
-    pub fn show(&mut self, line: LineName, step: &dyn Step, camera: &dyn Camera, eye: Vec3) {
-        let before = self.quantity.take().filter(|quantity| quantity.line == line);
-        let told = self.survey(&line, step, camera, eye);
-        let before = before.map(|quantity| quantity.palette.map);
-        self.quantity = Some(Quantity::new(line, Map::of(told.into_iter().flatten(), before)));
+    /// Shows `line`, with colours for the values that it has in `step`, or for those in `range`. Where the
+    /// line is shown already its colours stay as long as they do for these values.
+    pub fn show(
+        &mut self, line: LineName, range: Option<(f32, f32)>, step: &dyn Step, camera: &dyn Camera,
+        eye: Vec3,
+    ) {
+        let before = self.quantity.take();
+        let before = before.filter(|before| before.line == line && before.range == range);
+        let before = before.map(|before| before.palette);
+        let (width, height) = SURVEY;
+        let pixel = |place| Pixel { col: place % width, row: place / width, width, height };
+        let told = self.told(&line, step, camera, (0..width * height).map(pixel));
+        let before_map = before.as_ref().map(|before| before.map.clone());
+        let map = Map::of(told.into_iter().flatten(), eye, before_map);
+        let map = match range {
+            Some((low, high)) => map.with_scale(Scale::new(low, high)),
+            None => map,
+        };
+        let palette = match before {
+            Some(before) if before.map == map => before,
+            _ => Palette::new(map, self.grey),
+        };
+        self.quantity = Some(Quantity { line, range, palette });
     }
 }
 
-/// A point as how far it is from the eye; others as they are.
-fn measured(kept: Kept, eye: Vec3) -> Kept {
-    match kept {
-        Kept::Point(point) => Kept::Number(point.distance(eye)),
-        kept => kept,
-    }
-}
+/// How bright the dark and the light stripes are where a line is not told.
+const STRIPES: [f32; 2] = [0.010, 0.022];
 
 /// What stands where the line is not told: stripes, so that it is no value's colour.
 fn hatch(Pixel { col, row, height, .. }: Pixel) -> Color {
     let period = (height / 45).max(4);
-    let dark = (col + row) % period < period / 2;
-    Color::splat(if dark { 0.010 } else { 0.022 })
+    Color::splat(STRIPES[usize::from((col + row) % period >= period / 2)])
 }
 
 impl Step for Looked<'_> {
@@ -121,7 +134,7 @@ impl Step for Looked<'_> {
     fn controls(&mut self, _to: &mut dyn Controls) {}
 
     fn render(&self, camera: &dyn Camera, image: &mut Image<'_>) {
-        let Look { quantity, answers } = self.look;
+        let Look { quantity, answers, grey } = self.look;
         let probe = Probe::new(quantity.as_ref().map(|quantity| &quantity.line), answers);
         for row in image.rows() {
             for col in 0..image.width() {
@@ -131,6 +144,7 @@ impl Step for Looked<'_> {
                     None => light,
                     Some(Quantity { palette, .. }) => match probe.take() {
                         Some(kept) => palette.color(measured(kept, self.eye)),
+                        None if *grey => Color::ZERO,
                         None => hatch(pixel),
                     },
                 };

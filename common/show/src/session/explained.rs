@@ -6,6 +6,7 @@ use super::row::Fold;
 use super::row::Row;
 use crate::WhatIf;
 use crate::encode;
+use crate::named_lines;
 use crate::symbol_ink;
 use crate::texts;
 use crate::translated;
@@ -45,7 +46,7 @@ impl Told<'_> {
             let (text, value) = (translated(section.name), String::new());
             rows.push(Row::Heading { fold, text, value, open, faint: false, new });
             if open {
-                self.add(section, section.name, &mut 0, &mut rows);
+                self.add((section, told), section.name, &mut 0, &mut rows);
             }
         }
         rows
@@ -75,21 +76,26 @@ impl Told<'_> {
         scope.all_lines().into_iter().any(|line| self.is_new(section, line))
     }
 
-    /// Adds the rows of what is told of `scope`; `count` counts the scopes within the section.
-    fn add(&self, scope: &Scope, section: &'static str, count: &mut usize, rows: &mut Vec<Row>) {
+    /// Adds the rows of what is told of `scope`, which is in the one `around`; `count` counts the scopes
+    /// within the section.
+    fn add(
+        &self, (scope, around): (&Scope, &Scope), section: &'static str, count: &mut usize,
+        rows: &mut Vec<Row>,
+    ) {
+        let mut named = named_lines(scope, around).into_iter();
         for part in &scope.parts {
             match part {
                 Part::Line(line) => {
                     let new = self.is_new(section, line);
                     let (ink, values) = (symbol_ink(line.symbol()), texts(&line.value));
-                    let of = scope.name.to_owned();
-                    let line = LineName { equation: line.equation.to_owned(), of };
-                    let ink = match self.shown {
-                        Some(shown) if *shown == line => ACCENT,
+                    let name = named.next().and_then(|(_, name)| name);
+                    let ink = match (self.shown, &name) {
+                        (Some(shown), Some(name)) if shown == name => ACCENT,
                         _ => ink.unwrap_or(FAINT),
                     };
-                    let altered = self.is_altered(&line);
-                    rows.push(Row::Line { line, ink, values, new, altered });
+                    let altered = name.as_ref().is_some_and(|name| self.is_altered(name));
+                    let equation = translated(line.equation);
+                    rows.push(Row::Line { equation, name, ink, values, new, altered });
                 }
                 Part::Scope(inner) => {
                     let fold = Fold::Scope(section, *count);
@@ -107,7 +113,7 @@ impl Told<'_> {
                     let text = translated(inner.name);
                     rows.push(Row::Heading { fold, text, value, open, faint, new });
                     if open {
-                        self.add(inner, section, count, rows);
+                        self.add((inner, scope), section, count, rows);
                     }
                 }
             }

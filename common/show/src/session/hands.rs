@@ -101,6 +101,16 @@ impl Session {
         Held::Picture { at, azimuth, elevation, click: true }
     }
 
+    /// The line under the pointer is the one that keys act on.
+    pub(super) fn choose(&mut self) {
+        let target = self.reading_panel().and_then(|panel| panel.target(self.pointer));
+        if let (Held::Nothing, Some((Target::Line(line), _))) = (&self.held, target)
+            && self.desk.line() != Some(&line)
+        {
+            self.act(Act::Choose(line));
+        }
+    }
+
     pub(super) fn drag(&mut self, (x, y): (f32, f32)) {
         let layout = self.layout();
         match mem::take(&mut self.held) {

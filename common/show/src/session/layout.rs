@@ -1,6 +1,7 @@
 //! Where things have their place in a window.
 
 use crate::Area;
+use crate::Curve;
 use crate::Legend;
 use crate::Size;
 
@@ -22,6 +23,8 @@ pub(super) struct Layout {
     pub(super) picture: Area,
     /// What the colours of a quantity stand for, below the picture, if one is shown.
     pub(super) legend: Option<Area>,
+    /// The quantity as a curve, below that, if it is shown.
+    pub(super) curve: Option<Area>,
     /// What there is beside the picture; none when it is hidden.
     pub(super) beside: Option<Beside>,
 }
@@ -51,6 +54,8 @@ pub(super) struct Wishes {
     pub(super) reading: bool,
     /// Whether a quantity is shown.
     pub(super) legend: bool,
+    /// Whether it is seen as a curve too.
+    pub(super) curve: bool,
 }
 
 /// The largest area of this aspect in `outer`, at least a pixel wide and high: at its top, in the
@@ -73,38 +78,45 @@ impl Layout {
     pub(super) const ROW: f32 = 1.2;
 
     pub(super) fn new(wishes: &Wishes) -> Self {
-        let Wishes { size, aspect, text, hidden, reading, legend } = *wishes;
+        let Wishes { size, aspect, text, hidden, reading, legend, curve } = *wishes;
         let (width, height) = (size.width() as f32, size.height() as f32);
         let window = Area::new(0.0, 0.0, width, height);
         // In a window that is higher than wide the width decides.
         let em = TEXT * height.min(0.75 * width) * text;
-        let legend = if legend { (Legend::HEIGHT * em).min(0.3 * height) } else { 0.0 };
-        // Under a picture, as wide as that.
-        let under = |picture: Area| {
-            (legend > 0.0).then_some(Area { top: picture.bottom(), height: legend, ..picture })
+        let high = |is_shown: bool, ems: f32, most: f32| match is_shown {
+            true => (ems * em).min(most * height),
+            false => 0.0,
+        };
+        let (legend, curve) = (high(legend, Legend::HEIGHT, 0.2), high(curve, Curve::HEIGHT, 0.3));
+        let under = legend + curve;
+        // As wide as the picture, under that.
+        let with = |picture: Area, beside: Option<Beside>| {
+            let (upper, lower) =
+                split(Area { top: picture.bottom(), height: under, ..picture }, legend);
+            let shown = |area: Area| (area.height > 0.0).then_some(area);
+            Self { em, picture, legend: shown(upper), curve: shown(lower), beside }
         };
         if hidden || em < LEAST_TEXT {
-            let picture = fit(Area { height: height - legend, ..window }, aspect);
-            let top = ((height - legend - picture.height) / 2.0).floor();
-            let picture = Area { top, ..picture };
-            return Self { em, picture, legend: under(picture), beside: None };
+            let picture = fit(Area { height: height - under, ..window }, aspect);
+            let top = ((height - under - picture.height) / 2.0).floor();
+            return with(Area { top, ..picture }, None);
         }
         let row = Self::ROW * em;
         if width < 0.9 * height {
             let outer = Area { height: (0.45 * height).floor(), ..window };
             let picture = fit(outer, aspect);
-            let (_, below) = split(window, picture.height + legend);
+            let (_, below) = split(window, picture.height + under);
             let (caption, rest) = split(below, 4.5 * row);
             let (upper, controls) = split(rest, if reading { 0.6 * rest.height } else { 0.0 });
-            let beside = Some(Beside { caption, controls, reading: reading.then_some(upper) });
-            return Self { em, picture, legend: under(picture), beside };
+            let beside = Beside { caption, controls, reading: reading.then_some(upper) };
+            return with(picture, Some(beside));
         }
         let column = (COLUMN * em).min(0.5 * width).floor();
-        let most = (height - 3.5 * row - legend).max(0.3 * height);
+        let most = (height - 3.5 * row - under).max(0.3 * height);
         let outer = Area::new(0.0, 0.0, width - column, most);
         let picture = fit(outer, aspect);
         let column = Area::new(outer.width, 0.0, column, height);
-        let (_, below) = split(Area { height, ..outer }, picture.height + legend);
+        let (_, below) = split(Area { height, ..outer }, picture.height + under);
         let beside = if !reading {
             Beside { caption: below, controls: column, reading: None }
         } else if below.height > 5.5 * row {
@@ -114,6 +126,6 @@ impl Layout {
             let (reading, controls) = split(column, 0.66 * height);
             Beside { caption: below, controls, reading: Some(reading) }
         };
-        Self { em, picture, legend: under(picture), beside: Some(beside) }
+        with(picture, Some(beside))
     }
 }

@@ -151,6 +151,7 @@ impl Session {
             }
             Event::Move(x, y) => {
                 self.pointer = (x, y);
+                self.choose();
                 self.drag((x, y));
             }
             Event::Release(x, y) => {
@@ -358,6 +359,7 @@ impl Session {
             hidden: self.hidden,
             reading: self.has_reading(),
             legend: self.desk.shown_line().is_some(),
+            curve: self.desk.has_curve(),
         })
     }
 }

@@ -5,6 +5,7 @@ use image::RgbImage;
 use super::Session;
 use super::layout::Layout;
 use super::row::ACCENT;
+use super::row::ALTERED;
 use super::row::BACKGROUND;
 use super::row::FAINT;
 use super::row::TEXT;
@@ -37,11 +38,15 @@ impl Session {
         if let (Some(area), Some(legend)) = (layout.legend, self.desk.legend()) {
             legend.draw(&mut canvas, area.inset(0.4 * layout.em), 0.9 * layout.em);
         }
+        if let (Some(area), Some(curve)) = (layout.curve, self.desk.curve()) {
+            curve.draw(&mut canvas, area, 0.9 * layout.em);
+        }
         let said = match (&self.note, differing) {
             (Some(note), _) => Some(note.clone()),
             (None, Some((pixels, of))) => Some(text!("{pixels} of {of} pixels differ", pixels, of)),
-            (None, None) => self.desk.altered(),
+            (None, None) => None,
         };
+        let altered = self.desk.altered();
         match layout.beside {
             Some(beside) => {
                 if let Some(panel) = self.reading_panel() {
@@ -51,11 +56,13 @@ impl Session {
                 if let Some(panel) = self.controls() {
                     panel.draw(&mut canvas, self.selected.as_ref());
                 }
-                self.paint_caption(&mut canvas, &layout, beside.caption, said.as_deref(), status);
+                let said = [altered.as_deref(), said.as_deref()];
+                self.paint_caption(&mut canvas, &layout, beside.caption, said, status);
             }
             None => {
-                if let Some(said) = said {
-                    paint_alone(&mut canvas, &layout, &said);
+                let said: Vec<String> = altered.into_iter().chain(said).collect();
+                if !said.is_empty() {
+                    paint_alone(&mut canvas, &layout, &said.join("   "));
                 }
             }
         }
@@ -110,10 +117,10 @@ impl Session {
         }
     }
 
-    /// What the program is, what happened last, and how long the picture took.
+    /// What the program is, what is answered otherwise, what happened last, and how long the picture took.
     fn paint_caption(
-        &self, canvas: &mut Canvas<'_>, layout: &Layout, area: Area, said: Option<&str>,
-        status: &str,
+        &self, canvas: &mut Canvas<'_>, layout: &Layout, area: Area,
+        [altered, said]: [Option<&str>; 2], status: &str,
     ) {
         let (em, row) = (layout.em, Layout::ROW * layout.em);
         let below = Area { height: canvas.area().height - area.top, ..area };
@@ -138,12 +145,17 @@ impl Session {
             canvas.fill(below.inset(-0.4 * em), BACKGROUND);
             draw_text(&mut canvas, below, em, ink, text);
             let at = area.at(Anchor::TopLeft);
-            canvas.text_within(at, Anchor::TopLeft, em, TEXT, &title, area.width);
+            let (title, ink) = match altered {
+                Some(altered) => (format!("{name}   {altered}"), ALTERED),
+                None => (title, TEXT),
+            };
+            canvas.text_within(at, Anchor::TopLeft, em, ink, &title, area.width);
             canvas.text_within(at, Anchor::TopLeft, em, ACCENT, name, area.width);
             return;
         }
         let mut top = draw_text(&mut canvas, area, 1.2 * em, ACCENT, name) + 0.2 * em;
-        for (text, ink) in [(concept, TEXT), (*slides, FAINT)] {
+        let altered = altered.unwrap_or_default();
+        for (text, ink) in [(altered, ALTERED), (concept, TEXT), (*slides, FAINT)] {
             if !text.is_empty() {
                 top = draw_text(&mut canvas, Area { top, ..area }, em, ink, text);
             }

@@ -6,7 +6,6 @@ use crate::Canvas;
 use crate::Font;
 use crate::Ink;
 use crate::Setting;
-use crate::translated;
 use common::LineName;
 
 /// Behind all that is beside the picture.
@@ -65,8 +64,15 @@ pub(super) enum Row {
     /// A control with its slider.
     Control(Setting),
     /// An equation and its numbers, or words; new if the step before does not tell it, and altered if
-    /// it is answered otherwise.
-    Line { line: LineName, ink: Ink, values: Vec<String>, new: bool, altered: bool },
+    /// it is answered otherwise. It has a name if it can be shown as a picture.
+    Line {
+        equation: &'static str,
+        name: Option<LineName>,
+        ink: Ink,
+        values: Vec<String>,
+        new: bool,
+        altered: bool,
+    },
     /// What is explained, and its colour.
     Pixel { text: String, rgb: [u8; 3] },
     /// A key and what it does.
@@ -81,7 +87,7 @@ impl Row {
         match self {
             Self::Heading { fold, .. } => Target::Fold(*fold),
             Self::Control(setting) => Target::Control(setting.name.clone()),
-            Self::Line { line, .. } => Target::Line(line.clone()),
+            Self::Line { name: Some(name), .. } => Target::Line(name.clone()),
             _ => Target::Nothing,
         }
     }
@@ -105,8 +111,7 @@ impl Row {
         match self {
             Self::Heading { fold: Fold::Scope(..), .. } => 1.35 * em,
             Self::Heading { .. } | Self::Control(_) | Self::Pixel { .. } => HIGH * em,
-            Self::Line { line, values, .. } => {
-                let equation = translated(&line.equation);
+            Self::Line { equation, values, .. } => {
                 lines(Columns::new(equation, values, em, width).count()) + 0.15 * em
             }
             Self::Key(key, effect) => {
@@ -153,8 +158,7 @@ impl Row {
                 let knob = (slider.left + length, middle.1);
                 canvas.disc(knob, 0.34 * em, ink);
             }
-            Self::Line { line, ink, values, altered, .. } => {
-                let equation = translated(&line.equation);
+            Self::Line { equation, ink, values, altered, .. } => {
                 draw_line(canvas, area, em, (equation, *ink), (values, *altered));
             }
             Self::Pixel { text, rgb } => {

@@ -11,6 +11,8 @@ use super::row::Fold;
 use super::row::Row;
 use crate::Area;
 use crate::Canvas;
+use crate::Curve;
+use crate::Legend;
 
 /// The em of the text beside a written picture, of the picture's height, and that of the labels in it.
 const TEXT: f32 = 1.0 / 36.0;
@@ -23,10 +25,14 @@ const SIZES: (f32, f32) = (12.0, 100.0);
 const COLUMN: f32 = 18.0;
 const LEAST_HEIGHT: f32 = 26.0;
 
+/// How wide a picture is at least below which its legend can be read, in ems.
+const LEAST_WIDTH: f32 = 16.0;
+
 impl Session {
     /// What is written to a file: the desk's pictures at its own size as they are compared, with the
-    /// pinned pixel's rays and vectors, or the camera from outside. To the right of a pinned pixel's
-    /// picture stand its equations, in as many columns as they take.
+    /// pinned pixel's rays and vectors, or the camera from outside. Below a quantity's picture stands its
+    /// legend, and its curve; to the right of a pinned pixel's its equations, in as many columns as they
+    /// take.
     pub fn written(&self, mut pictures: Vec<RgbImage>) -> RgbImage {
         self.desk.language().speak();
         let this = pictures.pop().unwrap_or_default();
@@ -35,19 +41,35 @@ impl Session {
         let area = Canvas::new(&mut picture).area();
         let shorter = area.height.min(0.75 * area.width);
         let [em, label] = [TEXT, LABEL].map(|part| (part * shorter).clamp(SIZES.0, SIZES.1));
+        let told = self.desk.pin().is_some() && self.desk.vectors();
         if self.desk.vectors() || self.desk.onlooker().is_some() {
             self.paint_vectors(&mut Canvas::new(&mut picture), area, label);
         }
-        if self.desk.pin().is_none() || !self.desk.vectors() {
-            return picture;
+        let wide = area.width >= LEAST_WIDTH * em;
+        let legend = self.desk.legend().filter(|_| wide);
+        let curve = self.desk.curve().filter(|_| wide && told);
+        let high = |is_shown: bool, ems: f32| if is_shown { (ems * em).ceil() } else { 0.0 };
+        let below = [high(legend.is_some(), Legend::HEIGHT), high(curve.is_some(), Curve::HEIGHT)];
+        let mut height = area.height + below[0] + below[1];
+        let mut columns = Vec::new();
+        if told {
+            height = height.max(LEAST_HEIGHT * em).ceil();
+            let column = Area::new(area.right(), 0.0, (COLUMN * em).ceil(), height);
+            columns = self.columns(column, em);
         }
-        let height = area.height.max(LEAST_HEIGHT * em).ceil();
-        let column = Area::new(area.right(), 0.0, (COLUMN * em).ceil(), height);
-        let columns = self.columns(column, em);
         let right = columns.last().map_or(area.right(), |panel| panel.area().right());
         let mut written = RgbImage::from_pixel(right as u32, height as u32, Rgb(BACKGROUND.rgb));
         let mut canvas = Canvas::new(&mut written);
         canvas.picture(&picture, area);
+        let mut rest = Area { top: area.bottom(), height: below[0], ..area };
+        if let Some(mut legend) = legend {
+            legend.altered = self.desk.altered().unwrap_or_default();
+            legend.draw(&mut canvas, rest.inset(0.4 * em), 0.9 * em);
+        }
+        rest = Area { top: rest.bottom(), height: below[1], ..area };
+        if let Some(curve) = curve {
+            curve.draw(&mut canvas, rest, 0.9 * em);
+        }
         columns.iter().for_each(|panel| panel.draw(&mut canvas, None));
         written
     }

@@ -1,0 +1,160 @@
+//! Between which numbers colours tell numbers apart.
+
+use crate::ticks;
+
+/// The numbers that colours stand for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scale {
+    /// The lowest; what is lower has its colour.
+    pub low: f32,
+    /// The highest; what is higher has its colour.
+    pub high: f32,
+    /// Whether some numbers are lower.
+    pub below: bool,
+    /// Whether some are higher.
+    pub above: bool,
+}
+
+/// The share of the values at either end that may be beyond the colours, so that a few outliers do not
+/// swallow all others.
+const OUTLIERS: f32 = 0.02;
+
+/// How far beyond the middle half of the numbers a scale reaches at most, in widths of that half: t
+/// goes to infinity at the horizon, and so may more than those few.
+const REACH: f32 = 1.5;
+
+/// Numbers at least as large are as good as infinite, and smaller ones than its inverse as good as 0.
+const LARGEST: f32 = 1e30;
+
+/// What a scale reaches further than it needs, of its width, once it has to: while something is being
+/// moved there are then few scales.
+const ROOM: f32 = 0.25;
+
+impl Scale {
+    /// From one number to another.
+    pub fn new(low: f32, high: f32) -> Self {
+        Self { low, high, below: false, above: false }
+    }
+
+    /// The scale for `numbers`, or `before` where that does as well.
+    ///
+    /// Shares and cosines, none beyond ±1, are seen from the lowest to the highest. Of others a few at
+    /// either end, or far from the middle half, may be beyond the scale. It goes in round steps, begins
+    /// at 0 where it nearly would, and with both signs it reaches as far below 0 as above.
+    pub(super) fn of(numbers: &[f32], before: Option<Self>) -> Self {
+        let wanted = Self::wanted(numbers);
+        let Self { low, high, .. } = match before {
+            Some(before) if before.will_do_for(&wanted) => before,
+            Some(before) => wanted.with_room(&before),
+            None => wanted,
+        };
+        let (below, above) = (
+            numbers.iter().any(|number| *number < low),
+            numbers.iter().any(|number| *number > high),
+        );
+        Self { low, high, below, above }
+    }
+
+    fn wanted(numbers: &[f32]) -> Self {
+        let finite = numbers.iter().copied().filter(|number| number.abs() < LARGEST);
+        let mut numbers: Vec<f32> =
+            finite.map(|number| if number.abs() < 1.0 / LARGEST { 0.0 } else { number }).collect();
+        numbers.sort_by(f32::total_cmp);
+        let (Some(least), Some(most)) = (numbers.first().copied(), numbers.last().copied()) else {
+            return Self::new(0.0, 1.0);
+        };
+        if least >= -1.0 && most <= 1.0 {
+            return Self::rounded(least, most);
+        }
+        let at = |part: f32| numbers[(part * (numbers.len() - 1) as f32).round() as usize];
+        let (low, high) = (at(OUTLIERS), at(1.0 - OUTLIERS));
+        let (lower, upper) = (at(0.25), at(0.75));
+        match REACH * (upper - lower) {
+            // Half of the numbers are the same.
+            0.0 => Self::rounded(low, high),
+            reach => Self::rounded(low.max(lower - reach), high.min(upper + reach)),
+        }
+    }
+
+    /// From `low` to `high`, or a little further: in round steps.
+    fn rounded(low: f32, high: f32) -> Self {
+        let size = high.max(-low);
+        // The last digits of one number are not worth a scale.
+        let (low, high) = match high - low < 1e-3 * size {
+            true => (low.min(0.0), high.max(0.0)),
+            false => (low, high),
+        };
+        if high <= low {
+            return Self::new(0.0, 1.0);
+        }
+        let step = ticks::round_step((high - low) / 5.0);
+        let low = (low / step + 1e-3).floor() * step;
+        let high = (high / step - 1e-3).ceil() * step;
+        let low = if low > 0.0 && low < 0.25 * high { 0.0 } else { low };
+        let high = if high < 0.0 && high > 0.25 * low { 0.0 } else { high };
+        match low < 0.0 && high > 0.0 {
+            true => Self::new(-high.max(-low), high.max(-low)),
+            false => Self::new(low, high),
+        }
+    }
+
+    /// Whether it tells the numbers of `wanted` apart nearly as well.
+    fn will_do_for(&self, wanted: &Self) -> bool {
+        let (span, others) = (self.high - self.low, wanted.high - wanted.low);
+        self.low <= wanted.low && wanted.high <= self.high && others >= 0.5 * span
+    }
+
+    /// With some room where it reaches further than `before`; 0 and 1 stay what they are.
+    fn with_room(&self, before: &Self) -> Self {
+        let room = ROOM * (self.high - self.low);
+        let roomy = |end: f32| match end {
+            end if end.abs() <= 1.0 => (end.abs() + room).min(1.0).copysign(end),
+            end => end + room.copysign(end),
+        };
+        let low = if self.low < before.low.min(0.0) { roomy(self.low) } else { self.low };
+        let high = if self.high > before.high.max(0.0) { roomy(self.high) } else { self.high };
+        Self::rounded(low, high)
+    }
+
+    /// Whether there are numbers of both signs.
+    pub fn is_signed(&self) -> bool {
+        self.low < 0.0 && self.high > 0.0
+    }
+
+    /// Where `number` is between the lowest, 0, and the highest, 1; beyond them at the end.
+    pub fn part(&self, number: f32) -> f32 {
+        ((number - self.low) / (self.high - self.low)).clamp(0.0, 1.0)
+    }
+
+    /// The colour of `number`, as a screen shows it.
+    pub fn rgb(&self, number: f32) -> [u8; 3] {
+        let number = number.clamp(self.low, self.high);
+        let colorous::Color { r, g, b } = match self.is_signed() {
+            // Orange above 0, purple below.
+            true => {
+                let part = 0.5 + 0.5 * number / self.high.max(-self.low);
+                colorous::PURPLE_ORANGE.eval_continuous(part.into())
+            }
+            false => colorous::VIRIDIS.eval_continuous(self.part(number).into()),
+        };
+        [r, g, b]
+    }
+
+    /// The lowest and the highest number, and round ones between that are not close to them, about `most`
+    /// of them, each as it is written.
+    pub fn ticks(&self, most: f32) -> Vec<(f32, String)> {
+        let (mut ticks, step) = ticks::ticks(&(self.low..self.high), most);
+        let inner = self.low + 0.6 * step..self.high - 0.6 * step;
+        ticks.retain(|tick| inner.contains(tick));
+        let all = [self.low].into_iter().chain(ticks).chain([self.high]);
+        let written = |tick: f32| {
+            let sign = match tick {
+                tick if tick == self.low && self.below => "≤ ",
+                tick if tick == self.high && self.above => "≥ ",
+                _ => "",
+            };
+            (tick, format!("{sign}{}", ticks::short(tick, step)))
+        };
+        all.map(written).collect()
+    }
+}
