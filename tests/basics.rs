@@ -5,6 +5,7 @@
 
 mod cameras;
 mod geometry;
+mod loops;
 mod nearest;
 mod shading;
 mod specular;

@@ -17,13 +17,16 @@ pub const TOLERANCE: f32 = 32.0 * f32::EPSILON;
 
 /// A material with only a diffuse share.
 pub const fn matte(k_d: Color) -> Paint {
-    Paint { k_a: Color::ZERO, k_d, k_s: 0.0, exponent: 1.0, phong: false }
+    Paint { k_a: Color::ZERO, k_d, k_s: 0.0, p: 1.0 }
 }
 
-/// A light that thins out with distance.
+/// A light.
 pub const fn light(position: Vec3, intensity: f32) -> Light {
-    Light { name: "light", position, intensity, attenuation: true }
+    Light { name: "light", position, intensity }
 }
+
+/// The ε without shadows: no t lies in 1 < t < 1.
+pub const UNSHADOWED: f32 = 1.0;
 
 /// A scene; each step takes from it what it knows.
 #[derive(Clone, Debug)]
@@ -38,14 +41,12 @@ pub struct World {
     pub lights: Vec<Light>,
     /// I_a
     pub ambient: f32,
-    /// Whether objects throw shadows.
-    pub shadows: bool,
-    /// ε
+    /// ε; [`UNSHADOWED`] for a world without shadows.
     pub epsilon: f32,
 }
 
 impl Default for World {
-    /// Nothing, before black, and shadows on.
+    /// Nothing, before black.
     fn default() -> Self {
         Self {
             spheres: Vec::new(),
@@ -53,7 +54,6 @@ impl Default for World {
             background: Color::ZERO,
             lights: Vec::new(),
             ambient: 0.0,
-            shadows: true,
             epsilon: 1e-3,
         }
     }
@@ -64,8 +64,8 @@ pub trait Package: Step + Clone + Default {
     /// The step's package.
     const NAME: &'static str;
 
-    /// The pixel's centre in normalized coordinates.
-    fn pixel_center(pixel: Pixel) -> (f32, f32);
+    /// The ray through the pixel's centre.
+    fn viewing_ray(camera: &dyn Camera, pixel: Pixel, say: &impl Listener) -> Ray;
 
     /// The slide's loop, with any function for `trace`.
     fn render_loop(camera: &dyn Camera, image: &mut Image<'_>, trace: &dyn Fn(&Ray) -> Color);
@@ -74,16 +74,14 @@ pub trait Package: Step + Clone + Default {
 /// The steps with spheres, from 02 on.
 pub trait Spheres: Package {
     /// The first hit with t_min < t < t_max.
-    fn sphere(
-        ball: Ball, ray: &Ray, t_min: f32, t_max: f32, say: &mut impl Listener,
-    ) -> Option<Hit>;
+    fn sphere(ball: Ball, ray: &Ray, t_min: f32, t_max: f32, say: &impl Listener) -> Option<Hit>;
 }
 
 /// The steps with triangles, from 03 on.
 pub trait Triangles: Spheres {
     /// The hit with t_min < t < t_max.
     fn triangle(
-        abc: [Vec3; 3], ray: &Ray, t_min: f32, t_max: f32, say: &mut impl Listener,
+        abc: [Vec3; 3], ray: &Ray, t_min: f32, t_max: f32, say: &impl Listener,
     ) -> Option<Hit>;
 
     /// t and α, β, γ of the point with t > 0 where `ray` meets the triangle's plane.
@@ -120,8 +118,8 @@ pub trait Scenes: Triangles {
 
 /// The steps with shadows, from 06 on.
 pub trait Shadows: Scenes {
-    /// Whether a light at `position` is seen from `point`.
-    fn is_visible(scene: &Self::Scene, position: Vec3, point: Vec3) -> bool;
+    /// Whether a light at `position` is hidden from `point`.
+    fn is_blocked(scene: &Self::Scene, position: Vec3, point: Vec3) -> bool;
 }
 
 macro_rules! packages {
@@ -129,8 +127,8 @@ macro_rules! packages {
         impl Package for $step::Lesson {
             const NAME: &'static str = stringify!($step);
 
-            fn pixel_center(pixel: Pixel) -> (f32, f32) {
-                $step::render::pixel_center(pixel)
+            fn viewing_ray(camera: &dyn Camera, pixel: Pixel, say: &impl Listener) -> Ray {
+                $step::render::viewing_ray(camera, pixel, say)
             }
 
             fn render_loop(
@@ -155,7 +153,7 @@ macro_rules! spheres {
     ($_01:ident $($step:ident)*) => { $(
         impl Spheres for $step::Lesson {
             fn sphere(
-                ball: Ball, ray: &Ray, t_min: f32, t_max: f32, say: &mut impl Listener,
+                ball: Ball, ray: &Ray, t_min: f32, t_max: f32, say: &impl Listener,
             ) -> Option<Hit> {
                 let sphere = $step::sphere::Sphere { center: ball.center, radius: ball.radius };
                 hit!(sphere.intersect(ray, t_min, t_max, say))
@@ -170,7 +168,7 @@ macro_rules! triangles {
     ($_01:ident $_02:ident $($step:ident)*) => { $(
         impl Triangles for $step::Lesson {
             fn triangle(
-                abc: [Vec3; 3], ray: &Ray, t_min: f32, t_max: f32, say: &mut impl Listener,
+                abc: [Vec3; 3], ray: &Ray, t_min: f32, t_max: f32, say: &impl Listener,
             ) -> Option<Hit> {
                 hit!($step::triangle::Triangle::new(abc).intersect(ray, t_min, t_max, say))
             }
@@ -180,11 +178,11 @@ macro_rules! triangles {
 
 steps!(triangles);
 
-/// `$material` is the step's material of a [`Paint`], `$k_d` the diffuse share of that, and `$light`
-/// puts the lights of a [`World`] into a scene.
+/// `$look` is the field of an object that holds what `$made` makes of a [`Paint`], `$k_d` the diffuse
+/// share of an object, and `$light` puts the lights of a [`World`] into a scene.
 macro_rules! scenes {
     (
-        $step:ident, $paint:ident => $material:expr, $made:ident => $k_d:expr,
+        $step:ident, $look:ident: $paint:ident => $made:expr, $object:ident => $k_d:expr,
         $scene:ident, $world:ident => { $($light:tt)* }
     ) => {
         impl Scenes for $step::Lesson {
@@ -193,7 +191,7 @@ macro_rules! scenes {
             fn scene($world: &World) -> Self::Scene {
                 let object = |surface, $paint: &Paint| $step::scene::Object {
                     name: "object",
-                    material: $material,
+                    $look: $made,
                     surface,
                 };
                 let spheres = $world.spheres.iter().map(|(Ball { center, radius }, paint)| {
@@ -204,7 +202,7 @@ macro_rules! scenes {
                     let triangle = $step::triangle::Triangle::new(*abc);
                     object($step::surface::Surface::Triangle(triangle), paint)
                 });
-                let mut $scene = $step::scene::lecture_scene();
+                let mut $scene = $step::lecture_scene::lecture_scene();
                 $scene.objects = spheres.chain(triangles).collect();
                 $scene.background = $world.background;
                 $($light)*
@@ -214,13 +212,12 @@ macro_rules! scenes {
             fn closest(
                 scene: &Self::Scene, ray: &Ray, t_min: f32, t_max: f32,
             ) -> Option<(Hit, Color)> {
-                let (record, object) = scene.intersect(ray, t_min, t_max, &mut Silent)?;
-                let $made = &object.material;
+                let (record, $object) = scene.intersect(ray, t_min, t_max, &Silent)?;
                 hit!(Some(record)).zip(Some($k_d))
             }
 
             fn trace(scene: &Self::Scene, ray: &Ray) -> Color {
-                scene.trace(ray, 0.0, f32::INFINITY, &mut Silent)
+                scene.trace(ray, 0.0, f32::INFINITY, &Silent)
             }
         }
     };
@@ -233,7 +230,6 @@ macro_rules! point_light {
             name: "light",
             position: $light.position,
             intensity: $light.intensity,
-            attenuation: $light.attenuation,
         }
     };
 }
@@ -242,18 +238,16 @@ macro_rules! point_light {
 macro_rules! many_lights {
     ($step:ident, $scene:ident, $world:ident) => {
         $scene.lights = $world.lights.iter().map(|light| point_light!($step, light)).collect();
-        $scene.lit = $scene.lights.len();
         $scene.ambient = $world.ambient;
-        $scene.shadows = $world.shadows;
         $scene.epsilon = $world.epsilon
     };
 }
 
-scenes!(step04_scene, paint => paint.k_d, k_d => *k_d, scene, world => {});
+scenes!(step04_scene, color: paint => paint.k_d, object => object.color, scene, world => {});
 
 scenes!(
-    step05_diffuse, paint => step05_diffuse::material::Material { k_d: paint.k_d },
-    material => material.k_d, scene, world => {
+    step05_diffuse, material: paint => step05_diffuse::material::Material { k_d: paint.k_d },
+    object => object.material.k_d, scene, world => {
         let none = light(Vec3::ZERO, 0.0);
         scene.light = point_light!(step05_diffuse, world.lights.first().unwrap_or(&none));
     }
@@ -261,26 +255,25 @@ scenes!(
 
 scenes!(
     step06_shadows,
-    paint => step06_shadows::material::Material { k_a: paint.k_a, k_d: paint.k_d },
-    material => material.k_d, scene, world => { many_lights!(step06_shadows, scene, world); }
+    material: paint => step06_shadows::material::Material { k_a: paint.k_a, k_d: paint.k_d },
+    object => object.material.k_d, scene, world => { many_lights!(step06_shadows, scene, world); }
 );
 
 /// The steps from 07 on: the floor has nothing of what they add to a material.
 macro_rules! later_scenes {
     ($_01:ident $_02:ident $_03:ident $_04:ident $_05:ident $_06:ident $($step:ident)*) => { $(
         scenes!(
-            $step, paint => {
-                let lecture = $step::scene::lecture_scene();
+            $step, material: paint => {
+                let lecture = $step::lecture_scene::lecture_scene();
                 let mut floor = lecture.objects.into_iter().filter(|object| object.name == "floor");
                 let mut material = floor.next().expect("the lecture's scene has a floor").material;
                 material.k_a = paint.k_a;
                 material.k_d = paint.k_d;
                 material.k_s = paint.k_s;
-                material.exponent = paint.exponent;
-                material.phong = paint.phong;
+                material.p = paint.p;
                 material
             },
-            material => material.k_d, scene, world => { many_lights!($step, scene, world); }
+            object => object.material.k_d, scene, world => { many_lights!($step, scene, world); }
         );
     )* };
 }
@@ -290,9 +283,9 @@ steps!(later_scenes);
 macro_rules! shadows {
     ($_01:ident $_02:ident $_03:ident $_04:ident $_05:ident $($step:ident)*) => { $(
         impl Shadows for $step::Lesson {
-            fn is_visible(scene: &Self::Scene, position: Vec3, point: Vec3) -> bool {
+            fn is_blocked(scene: &Self::Scene, position: Vec3, point: Vec3) -> bool {
                 let light = point_light!($step, light(position, 1.0));
-                scene.is_visible(&light, point, &mut Silent)
+                scene.is_blocked(point, &light, &Silent)
             }
         }
     )* };

@@ -40,11 +40,11 @@ pub(crate) fn down(x: f32, y: f32) -> Ray {
 }
 
 fn sphere<S: Spheres>(ball: Ball, ray: &Ray) -> Option<Hit> {
-    S::sphere(ball, ray, 0.0, f32::INFINITY, &mut Silent)
+    S::sphere(ball, ray, 0.0, f32::INFINITY, &Silent)
 }
 
 fn triangle<S: Triangles>(abc: [Vec3; 3], ray: &Ray) -> Option<Hit> {
-    S::triangle(abc, ray, 0.0, f32::INFINITY, &mut Silent)
+    S::triangle(abc, ray, 0.0, f32::INFINITY, &Silent)
 }
 
 /// What is `found` is where `ray` is at `t`.
@@ -56,7 +56,7 @@ fn meets<S: Spheres>(found: Option<Hit>, ray: &Ray, t: f32, normal: Vec3, why: &
 }
 
 fn a_ray_from_outside_hits_the_near_side<S: Spheres>() {
-    let why = "t is the smaller root, −b − √discriminant, when both are in front; the normal is \
+    let why = "t is the smaller root, (−b − √D) / a, when both are in front; the normal is \
                (point − center) / radius: it points outwards";
     meets::<S>(sphere::<S>(BALL, &down(1.0, 2.0)), &down(1.0, 2.0), 5.0, Vec3::Z, why);
     // 3, 4 and 5 are the sides of a right triangle.
@@ -110,7 +110,7 @@ fn spheres_of_any_radius_are_hit_where_they_are<S: Spheres>() {
     }
     miss::<S>(hit_at(0.0, 1e-3), "a sphere of radius 0 is a point, and the ray passes beside it");
     let point = hit::<S>(hit_at(0.0, 0.0), "a sphere of radius 0 is a point, met by its ray");
-    near::<S, _>("the normal", point.normal, Vec3::ZERO, "a point has no normal");
+    assert!(point.normal.is_nan(), "{}: a point has no normal, but {}", S::NAME, point.normal);
     miss::<S>(hit_at(f32::NAN, 0.0), "a sphere whose radius is not a number is nowhere");
 }
 
@@ -156,7 +156,7 @@ pub(crate) fn open_range<S: Spheres>(ts: &[f32], intersect: impl Fn(f32, f32) ->
 
 fn t_min_and_t_max_are_open_on_a_sphere<S: Spheres>() {
     let ray = down(1.0, 2.0);
-    open_range::<S>(&[5.0, 9.0], |t_min, t_max| S::sphere(BALL, &ray, t_min, t_max, &mut Silent));
+    open_range::<S>(&[5.0, 9.0], |t_min, t_max| S::sphere(BALL, &ray, t_min, t_max, &Silent));
 }
 
 fn both_sides_of_a_triangle_are_hit<S: Triangles>() {
@@ -218,7 +218,7 @@ fn a_ray_in_the_plane_misses_a_triangle<S: Triangles>() {
 
 fn a_triangle_without_area_or_numbers_is_never_hit<S: Triangles>() {
     let [a, b, c] = TRIANGLE;
-    let why = "(b − a) × (c − a) is 0: the triangle has no area";
+    let why = "(b − a) × (c − a) is 0: the triangle has no area, and D = 0";
     for abc in [[a, a, a], [a, a, b], [a, b, b], [a, b, a], [a, b, (a + b) / 2.0]] {
         for x in [0.0, 1.0, 2.0, 3.0, 5.0] {
             miss::<S>(triangle::<S>(abc, &down(x, 1.0)), why);
@@ -261,5 +261,5 @@ fn a_longer_direction_is_the_same_ray_to_a_triangle<S: Triangles>() {
 
 fn t_min_and_t_max_are_open_on_a_triangle<S: Triangles>() {
     let ray = down(2.0, 2.0);
-    open_range::<S>(&[9.0], |t_min, t_max| S::triangle(TRIANGLE, &ray, t_min, t_max, &mut Silent));
+    open_range::<S>(&[9.0], |t_min, t_max| S::triangle(TRIANGLE, &ray, t_min, t_max, &Silent));
 }

@@ -380,7 +380,7 @@ fn try_command(command: &str, folder: &Path) -> Result<(), String> {
                 arguments => try_program(&name, arguments, folder),
             }
         }
-        ["git", "diff", "--no-index", paths @ ..] => {
+        ["git", "diff", "-O.diff-order", "--no-index", paths @ ..] => {
             match paths.iter().find(|path| !exists(path)) {
                 Some(path) => Err(format!("there is no {path}")),
                 None => Ok(()),

@@ -9,7 +9,9 @@ checks!(lights {
     the_side_that_is_seen_is_the_one_lit,
     a_sphere_is_lit_by_its_normal,
     a_longer_direction_sees_the_same_colour,
-    lights_close_to_the_surface_are_of_no_infinite_brightness,
+    a_light_close_to_the_surface_shines_by_the_same_law,
+    a_light_in_the_plane_of_a_surface_leaves_it_dark,
+    what_has_no_brightness_is_black,
 });
 
 checks!(shadows {
@@ -24,8 +26,7 @@ pub(crate) const PAINT: Paint = Paint {
     k_a: Color::new(0.125, 0.25, 0.0625),
     k_d: Color::new(0.75, 0.5, 0.25),
     k_s: 0.0,
-    exponent: 1.0,
-    phong: false,
+    p: 1.0,
 };
 
 /// Where the colour is looked at from: not from straight above.
@@ -43,7 +44,7 @@ pub(crate) fn patch(degrees: f32) -> [Vec3; 3] {
 /// The patch under `lights`, with nothing that could be in their way.
 pub(crate) fn lit(degrees: f32, lights: &[Light]) -> World {
     let (triangles, lights) = (vec![(patch(degrees), PAINT)], lights.to_vec());
-    World { triangles, lights, shadows: false, ..World::default() }
+    World { triangles, lights, epsilon: UNSHADOWED, ..World::default() }
 }
 
 /// The colour of the world's origin, seen from `eye`.
@@ -62,15 +63,9 @@ fn a_face_turned_by_60_degrees_takes_half_the_light<S: Scenes>() {
 }
 
 fn twice_the_distance_takes_a_quarter<S: Scenes>() {
-    for (r, attenuation, share, why) in [
-        (1.0, true, 8.0, "I/r² with I = 8: r², not r"),
-        (2.0, true, 2.0, "I/r² with I = 8: r², not r"),
-        (8.0, true, 0.125, "I/r² with I = 8: r², not r"),
-        (1.0, false, 8.0, "attenuation is off: I instead of I/r²"),
-        (8.0, false, 8.0, "attenuation is off: I instead of I/r²"),
-    ] {
-        let light = Light { attenuation, ..light(r * Vec3::Y, 8.0) };
-        let found = seen::<S>(&lit(0.0, &[light]), EYE);
+    for (r, share) in [(1.0, 8.0), (2.0, 2.0), (8.0, 0.125)] {
+        let found = seen::<S>(&lit(0.0, &[light(r * Vec3::Y, 8.0)]), EYE);
+        let why = "I/r² with I = 8: r², not r";
         near::<S, _>(&format!("the colour at r = {r}"), found, PAINT.k_d * share, why);
     }
 }
@@ -109,7 +104,8 @@ fn a_sphere_is_lit_by_its_normal<S: Scenes>() {
         (-normal, -1.0),
     ] {
         let lights = vec![light(point + 2.0 * towards, 8.0)];
-        let world = World { spheres: spheres.clone(), lights, shadows: false, ..World::default() };
+        let spheres = spheres.clone();
+        let world = World { spheres, lights, epsilon: UNSHADOWED, ..World::default() };
         let ray = Ray::new(Vec3::new(3.0, 9.0, 0.0), Vec3::NEG_Y);
         let found = S::trace(&S::scene(&world), &ray);
         let why = format!(
@@ -120,7 +116,7 @@ fn a_sphere_is_lit_by_its_normal<S: Scenes>() {
 }
 
 fn a_longer_direction_sees_the_same_colour<S: Scenes>() {
-    let paint = Paint { k_s: 0.5, exponent: 8.0, ..PAINT };
+    let paint = Paint { k_s: 0.5, p: 8.0, ..PAINT };
     let world = World { triangles: vec![(patch(20.0), paint)], ..lit(20.0, &[ABOVE]) };
     let scene = S::scene(&world);
     let expected = seen::<S>(&world, EYE);
@@ -131,26 +127,113 @@ fn a_longer_direction_sees_the_same_colour<S: Scenes>() {
     }
 }
 
-fn lights_close_to_the_surface_are_of_no_infinite_brightness<S: Scenes>() {
-    let paint = Paint { k_s: 0.5, ..PAINT };
-    let world = |height| World {
-        triangles: vec![(patch(0.0), paint)],
-        lights: vec![light(height * Vec3::Y, 8e-6)],
-        shadows: false,
-        ..World::default()
-    };
-    for height in [1e-3, 1e-4, 1e-5, 1e-6] {
-        let matte = World { triangles: vec![(patch(0.0), PAINT)], ..world(height) };
-        let why = format!("r² is at least 10⁻⁶, and l is a unit vector however near: r = {height}");
+fn a_light_close_to_the_surface_shines_by_the_same_law<S: Scenes>() {
+    for r in [1e-1, 1e-3, 1e-6, 1e-9] {
+        let world = lit(0.0, &[light(r * Vec3::Y, 8.0 * r * r)]);
+        let why = format!("I/r² is 8, and l a unit vector however near: r = {r}");
         // Straight down, so that the point looked at is the world's origin to the last bit.
-        near::<S, _>("the colour", seen::<S>(&matte, Vec3::Y), PAINT.k_d * 8.0, &why);
+        near::<S, _>("the colour", seen::<S>(&world, Vec3::Y), PAINT.k_d * 8.0, &why);
     }
-    let color = seen::<S>(&world(0.0), EYE);
-    assert!(color.is_finite(), "{}: the colour is {color} where r = 0", S::NAME);
+}
+
+/// Two triangles that make a large square around `center`, at a right angle to an axis.
+fn square(center: Vec3, axis: usize) -> Vec<([Vec3; 3], Paint)> {
+    let corner = |(i, j)| {
+        let mut corner = center;
+        corner[(axis + 1) % 3] += i;
+        corner[(axis + 2) % 3] += j;
+        corner
+    };
+    let paint = Paint { k_s: 0.5, ..PAINT };
+    let [a, b, c, d] = [(-20.0, -20.0), (20.0, -20.0), (20.0, 20.0), (-20.0, 20.0)].map(corner);
+    vec![([a, b, c], paint), ([a, c, d], paint)]
+}
+
+fn a_light_in_the_plane_of_a_surface_leaves_it_dark<S: Scenes>() {
+    // The lecture's floor and key light, let down onto it, and walls through numbers that f32 rounds.
+    for (center, axis) in
+        [(Vec3::ZERO, 1), (Vec3::new(0.3, 1.7, -0.9), 0), (Vec3::new(-2.1, 0.1, 0.7), 2)]
+    {
+        let mut at = Vec3::new(4.0, 6.0, 5.0);
+        at[axis] = center[axis];
+        for epsilon in [0.0, 1e-3, UNSHADOWED] {
+            let triangles = square(center, axis);
+            let lights = vec![light(at, 42.0)];
+            let scene = S::scene(&World { triangles, lights, epsilon, ..World::default() });
+            let mut eye = center + Vec3::splat(0.1);
+            eye[axis] = center[axis] + 2.4;
+            for (i, j) in (0..60).flat_map(|i| (0..60).map(move |j| (i as f32, j as f32))) {
+                // A grid around the light, dense where I/r² is large.
+                let mut aim = at;
+                aim[(axis + 1) % 3] += ((i - 30.0) / 30.0).powi(3) * 8.0;
+                aim[(axis + 2) % 3] += ((j - 30.0) / 30.0).powi(3) * 8.0;
+                let found = S::trace(&scene, &Ray::new(eye, (aim - eye).normalize()));
+                let step = S::NAME;
+                // In the light itself there is no direction to it.
+                let dark =
+                    found == Color::ZERO || encode(found) == [0; 3] && i == 30.0 && j == 30.0;
+                assert!(
+                    dark,
+                    "{step}: the colour at {aim} is {found}, and should be 0: n·l = 0 for a light \
+                     at {at}, in the plane of what is seen"
+                );
+            }
+        }
+    }
+}
+
+/// What leaves for the screen where no number says how bright it is.
+fn what_has_no_brightness_is_black<S: Scenes>() {
+    let ambient = World { ambient: 1.0, ..World::default() };
+    let patch = vec![(patch(0.0), Paint { k_s: 0.5, ..PAINT })];
+    let down = Ray::new(Vec3::Y, Vec3::NEG_Y);
+    let point = |center| vec![(Ball { center, radius: 0.0 }, PAINT)];
+    for epsilon in [0.0, 1e-3, UNSHADOWED] {
+        let lit = |light| World { lights: vec![light], epsilon, ..ambient.clone() };
+        for (world, ray, why) in [
+            (
+                World { triangles: patch.clone(), ..lit(light(Vec3::ZERO, 8.0)) },
+                down,
+                "the light is at the point that is seen: r = 0, and l is no direction",
+            ),
+            (
+                World { spheres: point(Vec3::ZERO), ambient: 0.0, ..lit(ABOVE) },
+                down,
+                "a sphere of radius 0 is met by its ray, and no n·l > 0 without a normal",
+            ),
+            (
+                World { triangles: vec![([Vec3::ZERO; 3], PAINT)], ..lit(ABOVE) },
+                down,
+                "a triangle that is a point is not hit, and the background is black",
+            ),
+            (
+                World {
+                    triangles: vec![([Vec3::NEG_X, Vec3::ZERO, Vec3::X], PAINT)],
+                    ..lit(ABOVE)
+                },
+                down,
+                "a triangle that is a line is not hit, and the background is black",
+            ),
+            (
+                World { triangles: patch.clone(), ..lit(ABOVE) },
+                Ray::new(Vec3::ZERO, Vec3::ZERO),
+                "a ray without a direction hits no triangle, not even from its plane",
+            ),
+            (
+                World { spheres: point(Vec3::ZERO), ..lit(ABOVE) },
+                Ray::new(Vec3::ZERO, Vec3::ZERO),
+                "a ray without a direction hits no sphere, not even the point that it is",
+            ),
+        ] {
+            let found = S::trace(&S::scene(&world), &ray);
+            let screen = encode(found);
+            assert_eq!(screen, [0; 3], "{}: {found} with ε = {epsilon}: {why}", S::NAME);
+        }
+    }
 }
 
 fn a_blocked_light_adds_nothing<S: Shadows>() {
-    let base = World { ambient: 1.0, shadows: true, ..lit(0.0, &[ABOVE]) };
+    let base = World { ambient: 1.0, epsilon: 1e-3, ..lit(0.0, &[ABOVE]) };
     let ball = Ball { center: Vec3::Y, radius: 0.25 };
     let mut triangle = base.clone();
     triangle.triangles.push((patch(0.0).map(|vertex| vertex / 16.0 + Vec3::Y), PAINT));
@@ -159,15 +242,15 @@ fn a_blocked_light_adds_nothing<S: Shadows>() {
     let blocked = "the shadow ray's d leads from the point to the light, not normalised, and \
                    something is at ε < t < 1: only k_a I_a is left";
     let other = "one light is blocked, the other one still adds its part";
-    let off = "shadows are off: the light adds its part whatever stands between";
+    let off = "no t lies in 1 < t < 1: the light adds its part whatever stands between";
     for world in [World { spheres: vec![(ball, PAINT)], ..base }, triangle] {
-        for (shadows, lights, rest, why) in [
-            (true, vec![ABOVE], Color::ZERO, blocked),
-            (true, vec![ABOVE, fill], alone, other),
-            (true, vec![fill, ABOVE], alone, other),
-            (false, vec![ABOVE], PAINT.k_d * 2.0, off),
+        for (epsilon, lights, rest, why) in [
+            (1e-3, vec![ABOVE], Color::ZERO, blocked),
+            (1e-3, vec![ABOVE, fill], alone, other),
+            (1e-3, vec![fill, ABOVE], alone, other),
+            (UNSHADOWED, vec![ABOVE], PAINT.k_d * 2.0, off),
         ] {
-            let found = seen::<S>(&World { shadows, lights, ..world.clone() }, EYE);
+            let found = seen::<S>(&World { epsilon, lights, ..world.clone() }, EYE);
             near::<S, _>("the colour", found, PAINT.k_a + rest, why);
         }
     }
@@ -175,23 +258,23 @@ fn a_blocked_light_adds_nothing<S: Shadows>() {
 
 fn any_object_in_range_blocks<S: Shadows>() {
     let triangles = [4.0, 0.5, 1.0].map(|y| (patch(0.0).map(|vertex| vertex + y * Vec3::Y), PAINT));
-    for (light, epsilon, visible) in [
-        (2.0, 0.0, false),
-        (2.0, 0.25, false),
-        (2.0, 0.5, true),
-        (0.5, 0.0, true),
-        (0.625, 0.75, false),
-        (0.625, 0.8125, true),
-        (8.0, 0.0625, false),
-        (8.0, 0.5, true),
-        (1.0, 0.5, true),
-        (-2.0, 0.0, true),
+    for (light, epsilon, blocked) in [
+        (2.0, 0.0, true),
+        (2.0, 0.25, true),
+        (2.0, 0.5, false),
+        (0.5, 0.0, false),
+        (0.625, 0.75, true),
+        (0.625, 0.8125, false),
+        (8.0, 0.0625, true),
+        (8.0, 0.5, false),
+        (1.0, 0.5, false),
+        (-2.0, 0.0, false),
     ] {
         let scene = S::scene(&World { triangles: triangles.to_vec(), epsilon, ..World::default() });
-        let found = S::is_visible(&scene, light * Vec3::Y, Vec3::ZERO);
+        let found = S::is_blocked(&scene, light * Vec3::Y, Vec3::ZERO);
         let why = "any object counts with ε < t < 1, where d = light − point is not normalised";
         let step = S::NAME;
-        assert_eq!(found, visible, "{step}: V of a light at {light}, ε = {epsilon}, from 0: {why}");
+        assert_eq!(found, blocked, "{step}: a light at {light} from 0, ε = {epsilon}: {why}");
     }
 }
 
@@ -204,7 +287,7 @@ fn nothing_shadows_itself<S: Shadows>() {
     let floor = [[-20.0, -20.0], [20.0, -20.0], [0.0, 20.0]].map(|[x, z]| Vec3::new(x, 0.0, z));
     let floor = World { spheres: Vec::new(), triangles: vec![(floor, PAINT)], ..world.clone() };
     for world in [world, floor] {
-        let unshadowed = S::scene(&World { shadows: false, ..world.clone() });
+        let unshadowed = S::scene(&World { epsilon: UNSHADOWED, ..world.clone() });
         let scene = S::scene(&world);
         let eye = Vec3::new(0.0, 2.4, 7.0);
         for (i, j) in (0..80).flat_map(|i| (0..80).map(move |j| (i as f32, j as f32))) {
@@ -219,7 +302,7 @@ fn nothing_shadows_itself<S: Shadows>() {
 fn lights_add_up<S: Shadows>() {
     let fill = light(Vec3::new(-2.0, 1.0, 0.5), 3.0);
     let third = light(Vec3::new(1.0, 2.0, -1.0), 5.0);
-    let paint = Paint { k_s: 0.5, exponent: 8.0, ..PAINT };
+    let paint = Paint { k_s: 0.5, p: 8.0, ..PAINT };
     let world = |ambient, lights: &[Light]| World {
         triangles: vec![(patch(10.0), paint)],
         ambient,

@@ -18,8 +18,8 @@ fn at(degrees: f32) -> Vec3 {
 
 /// The highlight of I/r² = 2 and k_s = ½; l is that many degrees from the normal, v is `off` degrees
 /// from where l is mirrored.
-fn highlight(l: f32, off: f32, exponent: f32, phong: bool) -> Color {
-    let paint = Paint { k_s: 0.5, exponent, phong, ..matte(Color::ZERO) };
+fn highlight(l: f32, off: f32, p: f32) -> Color {
+    let paint = Paint { k_s: 0.5, p, ..matte(Color::ZERO) };
     let world = World {
         triangles: vec![(patch(0.0), paint)],
         lights: vec![light(2.0 * at(-l), 8.0)],
@@ -30,20 +30,14 @@ fn highlight(l: f32, off: f32, exponent: f32, phong: bool) -> Color {
 
 #[test]
 fn the_highlight_is_a_power_of_the_cosine() {
-    for (exponent, l) in [(1.0, 30.0), (10.0, 0.0), (100.0, 35.0), (400.0, 20.0), (1000.0, 30.0)] {
+    for (p, l) in [(1.0, 30.0), (10.0, 0.0), (100.0, 35.0), (400.0, 20.0), (1000.0, 30.0)] {
         for off in (-50..=50).step_by(5).map(|off| off as f32) {
             // A cosine that is off by some last bits has a p-th power that is off by p times that.
-            let tolerance = exponent * TOLERANCE / 16.0 + TOLERANCE;
-            for (phong, angle, why) in [
-                (false, off / 2.0, "L_s = k_s (I/r²) max(0, n·h)^p, and h turns half as far as v"),
-                (true, off, "Phong's form: L_s = k_s (I/r²) max(0, v_r·v)^p"),
-            ] {
-                let expected = Color::splat(angle.to_radians().cos().powf(exponent));
-                let found = highlight(l, off, exponent, phong);
-                let what =
-                    format!("step07_specular: L_s with p = {exponent}, {off}° off the mirror");
-                assert_near(&what, found, expected, tolerance, why);
-            }
+            let tolerance = p * TOLERANCE / 16.0 + TOLERANCE;
+            let expected = Color::splat((off / 2.0).to_radians().cos().powf(p));
+            let what = format!("step07_specular: L_s with p = {p}, {off}° off the mirror");
+            let why = "L_s = k_s (I/r²) max(0, n·h)^p, and h turns half as far as v";
+            assert_near(&what, highlight(l, off, p), expected, tolerance, why);
         }
     }
 }
@@ -52,12 +46,12 @@ fn the_highlight_is_a_power_of_the_cosine() {
 fn a_light_behind_the_surface_adds_no_highlight() {
     // Just below the surface's horizon, so that h still lies above it, and in it: cos² of half a
     // right angle would be ½.
-    for (height, p, phong) in [(-0.25, 1.0, false), (-0.25, 1.0, true), (0.0, 2.0, false)] {
-        let paint = Paint { k_s: 1.0, exponent: p, phong, ..matte(Color::ZERO) };
+    for (height, p) in [(-0.25, 1.0), (0.0, 2.0)] {
+        let paint = Paint { k_s: 1.0, p, ..matte(Color::ZERO) };
         let world = World {
             triangles: vec![(patch(0.0), paint)],
             lights: vec![light(Vec3::new(2.0, height, 0.0), 8.0)],
-            shadows: false,
+            epsilon: UNSHADOWED,
             ..World::default()
         };
         let found = seen::<Specular>(&world, Vec3::Y);
@@ -69,7 +63,7 @@ fn a_light_behind_the_surface_adds_no_highlight() {
 #[test]
 fn without_k_s_there_is_no_highlight_however_bright_the_light() {
     // 0⁰ is 1, and 0 · ∞ is no number.
-    let paint = Paint { exponent: 0.0, ..PAINT };
+    let paint = Paint { p: 0.0, ..PAINT };
     let world = |k_s| World {
         triangles: vec![(patch(0.0), Paint { k_s, ..paint })],
         lights: vec![Light { intensity: 1e38, ..ABOVE }],
@@ -78,14 +72,14 @@ fn without_k_s_there_is_no_highlight_however_bright_the_light() {
     let dull = seen::<Specular>(&world(0.0), EYE);
     assert_eq!(dull, PAINT.k_d * (1e38 / 4.0), "step07_specular: with k_s = 0, L = L_d");
     let shiny = seen::<Specular>(&world(1.0), EYE);
-    let why = "with p = 0, L_s = k_s (I/r²) max(0, cos α)^p is k_s I/r²";
+    let why = "with p = 0, L_s = k_s (I/r²) max(0, n·h)^p is k_s I/r²";
     assert!(shiny != dull, "step07_specular: k_s = 1 gives {shiny}, as k_s = 0 does: {why}");
 }
 
 #[test]
 fn the_highlight_and_the_diffuse_light_add_up() {
     let look = |k_d, k_s| {
-        let paint = Paint { k_d, k_s, exponent: 4.0, ..PAINT };
+        let paint = Paint { k_d, k_s, p: 4.0, ..PAINT };
         let triangles = vec![(patch(10.0), paint)];
         seen::<Specular>(&World { triangles, ..lit(0.0, &[ABOVE]) }, EYE)
     };

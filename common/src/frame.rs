@@ -147,13 +147,20 @@ pub fn check_loop(step: &dyn Step) -> Result<(), String> {
 }
 
 impl Frame<'_> {
-    /// How many rows to [render](Self::render_rows) at a time: one, or all of them where the step's
-    /// loop draws the whole picture whatever rows it is asked for.
+    /// The most colours that a loop over the whole picture fills at a time: a gigabyte.
+    const MOST_COLORS: usize = 1 << 26;
+
+    /// How many rows to [render](Self::render_rows) at a time: one, or, where the step's loop draws the
+    /// whole picture whatever rows it is asked for, all of them, or as many as fit into memory.
     pub fn rows_at_a_time(&self) -> usize {
         let mut colors = [Color::ZERO; 2];
         let mut image = Image::new(2, 2, 1, &mut colors);
         self.step.render(self.camera, &mut image);
-        if image.beyond() { self.size.height() } else { 1 }
+        if !image.beyond() {
+            return 1;
+        }
+        let colors_a_row = self.samples * self.samples * self.size.width();
+        (Self::MOST_COLORS / colors_a_row).clamp(1, self.size.height())
     }
 
     /// Renders rows into `rgb`, three bytes a pixel, from `first_row` on, as many as fit. When all

@@ -166,14 +166,15 @@ impl Drawing {
         let row_cost = self.cost * pass.rays_per_row(self.size) as f64;
         let batch = if pass.draft { DRAFT_BATCH } else { BATCH };
         let rows = (batch.as_secs_f64() / row_cost) as usize;
-        let rows = rows.max(rayon::current_num_threads()).min(size.height() - pass.row);
         let frame = Frame { step, camera: &*self.camera, size, samples: pass.samples };
         let picture = if pass.draft { &mut self.draft } else { &mut self.picture };
-        let lines = picture.par_chunks_mut(3 * size.width()).enumerate();
-        let lines = lines.skip(pass.row).take(rows);
-        lines.for_each(|(row, rgb)| frame.render_rows(row, rgb));
+        let band = frame.rows_at_a_time();
+        let count = rows.max(rayon::current_num_threads()).div_ceil(band);
+        let bands = picture.par_chunks_mut(3 * size.width() * band).enumerate();
+        let bands = bands.skip(pass.row / band).take(count);
+        bands.for_each(|(index, rgb)| frame.render_rows(index * band, rgb));
         pass.time += start.elapsed();
-        pass.row += rows;
+        pass.row = (pass.row + count * band).min(size.height());
     }
 
     /// Makes the whole draft the picture.
@@ -221,7 +222,7 @@ pub fn render_parallel(frame: &Frame<'_>, done: impl Fn(usize) + Sync) -> RgbIma
     let mut picture = black(frame.size);
     let row = 3 * frame.size.width();
     // Small bands, because rows cost as much as what is seen in them.
-    let rows = 4;
+    let rows = frame.rows_at_a_time().max(4);
     let bands = picture.par_chunks_mut(row * rows).enumerate();
     bands.for_each(|(band, rgb)| {
         frame.render_rows(band * rows, rgb);
