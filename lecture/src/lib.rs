@@ -10,6 +10,7 @@ mod figures;
 mod lesson;
 mod page;
 mod protocol;
+mod told;
 
 #[cfg(not(target_family = "wasm"))]
 use std::rc::Rc;

@@ -46,7 +46,7 @@ impl Desk {
             }
         }
         let own = stretches.into_iter().rev().find(|stretch| *stretch != CAMERA).unwrap_or(CAMERA);
-        let key = |group: &Group| (!group.has(own), group.kind.is_some(), group.name == CAMERA);
+        let key = |group: &Group| (group.name == CAMERA, !group.has(own), group.kind.is_some());
         groups.sort_by_key(key);
         let mut opened: Vec<Option<&'static str>> = Vec::new();
         for group in &mut groups {

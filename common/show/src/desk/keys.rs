@@ -65,8 +65,6 @@ pub enum Hand {
     Reset,
     /// Pins the pixel under the pointer.
     Pin,
-    /// The picture alone, or all beside it.
-    Alone,
     /// Larger text.
     Larger,
     /// Smaller text.
@@ -130,11 +128,7 @@ pub fn table() -> Vec<Row> {
             hand(&[(Key::Backspace, Hand::Reset), (Key::Delete, Hand::Reset)]),
         ),
         row("Home", "reset all controls", act(&[Key::Home], Act::ResetAll)),
-        row(
-            "Space",
-            "the picture alone, or with all beside it",
-            hand(&[(Key::Space, Hand::Alone)]),
-        ),
+        row("Space", "the picture alone, or with all beside it", act(&[Key::Space], Act::Alone)),
         row(
             "+, -",
             "larger or smaller text",

@@ -61,6 +61,7 @@ pub struct Desk {
     /// The step before takes this one's place as long as a key is held.
     holding: bool,
     reading: Reading,
+    alone: bool,
     /// The centre of the pinned pixel, as a part of the width from the left and of the height
     /// from the top.
     pinned: Option<(f32, f32)>,
@@ -86,7 +87,7 @@ impl Desk {
     ///
     /// When there is no program at `current`.
     pub fn new(programs: Vec<Program>, current: usize) -> Self {
-        let Program { ref make, size, .. } = programs[current];
+        let Program { ref make, size, is_figure, .. } = programs[current];
         let mut desk = Self {
             setup: Setup::new(make.clone()),
             programs,
@@ -100,6 +101,7 @@ impl Desk {
             compare: Compare::Off,
             holding: false,
             reading: Reading::Pixel,
+            alone: is_figure,
             pinned: None,
             language: Language::spoken(),
             effects: Vec::new(),
@@ -182,6 +184,11 @@ impl Desk {
             Reading::Idea if idea.is_empty() => Reading::Pixel,
             reading => reading,
         }
+    }
+
+    /// Whether the picture is shown alone, without anything beside it.
+    pub fn alone(&self) -> bool {
+        self.alone
     }
 
     /// The language of all that is shown: at first the one [spoken](Language::spoken) when it began.
@@ -332,13 +339,16 @@ impl Desk {
             }
             Act::Divide => return self.compare_by(Compare::Divided(0.5)),
             Act::DivideAt(part) => {
-                self.compare =
-                    Compare::Divided(if part.is_nan() { 0.5 } else { part.clamp(0.0, 1.0) });
-                return self.repaint();
+                let part = if part.is_nan() { 0.5 } else { part.clamp(0.0, 1.0) };
+                let divided = Compare::Divided(part);
+                if let Compare::Divided(_) = mem::replace(&mut self.compare, divided) {
+                    return self.repaint();
+                }
             }
             Act::Difference => return self.compare_by(Compare::Difference),
-            Act::Read(reading) => {
-                self.reading = if self.reading == reading { Reading::Pixel } else { reading };
+            Act::Read(reading) => return self.read(reading),
+            Act::Alone => {
+                self.alone = !self.alone;
                 return self.repaint();
             }
             Act::NextLanguage => self.speak(self.language.next()),
@@ -481,6 +491,19 @@ impl Desk {
         }
         self.changed();
         Ok(())
+    }
+
+    /// Shows a text, or no more where it is to be seen.
+    fn read(&mut self, asked: Reading) -> Result<(), Refusal> {
+        let before = self.reading();
+        let is_hidden = self.alone && asked == before;
+        if !is_hidden {
+            self.reading = if self.reading == asked { Reading::Pixel } else { asked };
+        }
+        if is_hidden || self.reading() != before {
+            self.alone = false;
+        }
+        self.repaint()
     }
 
     fn speak(&mut self, language: Language) {

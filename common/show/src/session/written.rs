@@ -9,6 +9,7 @@ use super::panel::BACKGROUND;
 use super::panel::Fold;
 use super::panel::Panel;
 use super::panel::Row;
+use crate::over::composed;
 use common::Area;
 use common::Canvas;
 
@@ -27,16 +28,14 @@ impl Session {
     /// What is written to a file: the desk's pictures at its own size as they are compared, with the
     /// pinned pixel's rays and vectors, or the camera from outside. To the right of a pinned pixel's
     /// picture stand its equations, in as many columns as they take.
-    pub fn written(&self, mut pictures: Vec<RgbImage>) -> RgbImage {
+    pub fn written(&self, pictures: Vec<RgbImage>) -> RgbImage {
         self.desk.language().speak();
-        let this = pictures.pop().unwrap_or_default();
-        let picture = pictures.pop().map(|before| self.desk.compare().composed(&before, &this));
-        let mut picture = picture.unwrap_or(this);
+        let mut picture = composed(&self.desk, pictures);
         let area = Canvas::new(&mut picture).area();
         let shorter = area.height.min(0.75 * area.width);
         let [em, label] = [TEXT, LABEL].map(|part| (part * shorter).clamp(SIZES.0, SIZES.1));
         if self.desk.vectors() || self.desk.onlooker().is_some() {
-            self.paint_vectors(&mut Canvas::new(&mut picture), area, label);
+            self.paint_marks(&mut Canvas::new(&mut picture), area, label);
         }
         if self.desk.pin().is_none() || !self.desk.vectors() {
             return picture;
