@@ -42,6 +42,7 @@ function refresh(keeps) {
   const other = !before || before.step !== state.step || before.language !== state.language;
   if (other) showStep();
   controls.show(state.groups);
+  if (other) choose(selected());
   showStage();
   explain();
   read(before);

@@ -37,8 +37,8 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// glam computes with it, and every browser has had it since 2023.
 const FLAGS: &str = "-Ctarget-feature=+simd128";
 
-/// The languages of the page, and a step's handout in each.
-const LANGUAGES: [(&str, &str); 2] = [("pt-BR", "README.pt-BR.md"), ("en", "README.md")];
+/// The languages of the page in the order in which it goes round, and a step's handout in each.
+const LANGUAGES: [(&str, &str); 2] = [("en", "README.md"), ("pt-BR", "README.pt-BR.md")];
 
 /// What the page runs.
 const SCRIPT: &str = concat!(
