@@ -1,8 +1,7 @@
 //! Solutions of the exercises, right and wrong: `--check` accepts the right ones, refuses the others
 //! and says what is wrong with them.
-//!
-//! A solution is the source of the step to be reached, in the package of the step before, with some
-//! of its text replaced.
+
+mod solutions;
 
 use std::fs;
 use std::path::Path;
@@ -13,148 +12,11 @@ use std::process::Output;
 use image::imageops;
 use rayon::iter::IntoParallelRefIterator;
 use rayon::iter::ParallelIterator;
+use solutions::Change;
+use solutions::RIGHT;
+use solutions::WRONG;
 use tempfile::tempdir;
 use tests::prelude::*;
-
-/// The text of a file that is replaced, and by what.
-type Change = (&'static str, &'static str, &'static str);
-
-/// Right solutions: the step that they reach, from 1 on, and how they are written differently.
-#[rustfmt::skip]
-const RIGHT: &[(usize, &[Change])] = &[
-    (1, &[("render.rs", "(col as f32 + 0.5) / width as f32", "(2 * col + 1) as f32 / (2 * width) as f32")]),
-    (1, &[("render.rs", "1.0 - (row as f32 + 0.5) / height as f32", "((height - row) as f32 - 0.5) / height as f32")]),
-    (2, &[NAIVE]),
-    (2, &[("sphere.rs", "if discriminant < 0.0", "let far = o - (d.dot(o) / a) * d; if far.length_squared() > self.radius * self.radius")]),
-    (3, &[("triangle.rs", "let alpha = say.area(\"α = 1 − β − γ\", [point, b, c], 1.0 - beta - gamma);", AREAS)]),
-    (3, &[("triangle.rs", "ray, det_t / det", "ray, self.normal.dot(a_minus_p) / self.normal.dot(d)")]),
-    (4,
-        &[("scene.rs", "let mut objects = vec![", "let mut objects: Vec<Object> = Vec::new(); let last = vec!["),
-         ("scene.rs", "    objects.extend([face(0, 1), face(1, 2), face(2, 3), face(3, 0)]);", "    objects.extend([face(3, 0), face(0, 1), face(1, 2), face(2, 3)]); objects.extend(last);")]),
-    (4, &[NAIVE]),
-    (4,
-        &[("scene.rs", "if let Some(record) = object.surface.intersect(ray, t_min, t_max, say) {", "if let Some(record) = object.surface.intersect(ray, t_min, f32::INFINITY, say) && record.t < t_max {")]),
-    (5,
-        &[("material.rs", "let l = say.arrow(\"l\", point, to_light.normalize_or_zero());", "let l = say.arrow(\"l\", point, to_light / to_light.length());")]),
-    (5, &[NAIVE, ("material.rs", "if normal.dot(ray.direction) > 0.0 { -normal } else { normal }", "-normal.dot(ray.direction).signum() * normal")]),
-    (5,
-        &[("material.rs", "i / r_squared", "i / to_light.length() / to_light.length()"),
-         ("material.rs", "k_d * irradiance * n_dot_l.max(0.0)", "n_dot_l.clamp(0.0, 1.0) * irradiance * k_d")]),
-    (6,
-        &[("scene.rs", "let ray = Ray::new(point, light.position - point);", "let r = (light.position - point).length(); let ray = Ray::new(point, (light.position - point) / r);"),
-         ("scene.rs", "self.epsilon, 1.0, &mut Silent", "r * self.epsilon, r, &mut Silent")]),
-    (6,
-        &[("scene.rs", "let mut result = say.term(\"L_a = k_a I_a\", k_a * i_a);", "let mut result = Color::ZERO;"),
-         ("scene.rs", "say.sum(\"L\", result)", "say.sum(\"L\", result + k_a * i_a)")]),
-    (6, &[NAIVE, ("scene.rs", "self.lights.iter().take(self.lit)", "self.lights[..self.lit].iter().rev()")]),
-    (7, &[("material.rs", "(v + l).normalize_or_zero()", "(v + l) / (v + l).length()")]),
-    (7, &[("material.rs", "model(n, l, v, point, say).max(0.0).powf(p)", "(p * model(n, l, v, point, say).max(0.0).ln()).exp()")]),
-    (7, &[NAIVE, ("scene.rs", "result += say.term(\"d L_d + s L_s\", d * l_d + s * l_s);", "result += s * l_s; result += d * l_d;")]),
-];
-
-/// As on the slide: t counts from p.
-const NAIVE: Change = ("sphere.rs", ", -b_0 / a)", ", 0.0)");
-
-/// Each weight the share of an area.
-const AREAS: &str = "
-        let area = |p: Vec3, q: Vec3, r: Vec3| (q - p).cross(r - p).dot(self.normal);
-        let whole = area(a, b, c);
-        let [alpha, beta, gamma] =
-            [area(point, b, c), area(a, point, c), area(a, b, point)].map(|part| part / whole);";
-
-/// Wrong solutions: the step, the changes, and how what is said of them begins; nothing when it is
-/// no mistake of the lecture.
-#[rustfmt::skip]
-const WRONG: &[(usize, &[Change], &str)] = &[
-    (1, &[("render.rs", "col as f32 + 0.5", "col as f32"), ("render.rs", "row as f32 + 0.5", "row as f32")], "The ½ is missing: "),
-    (1,
-        &[("render.rs", "(col as f32 + 0.5) / width as f32", "col as f32 / (width as f32 - 1.0)"),
-         ("render.rs", "(row as f32 + 0.5) / height as f32", "row as f32 / (height as f32 - 1.0)")],
-        "It divides by width − 1"),
-    (1, &[("render.rs", "row as f32 + 0.5", "row as f32")], "The ½ is missing from v"),
-    (1, &[("render.rs", "    (u, v)\n", "    (v, u)\n")], "u and v are exchanged"),
-    (1, &[("render.rs", "1.0 - (row", "(row")], "The picture is upside down"),
-    (1, &[("render.rs", "let u = (", "let u = 1.0 - (")], "The picture is mirrored"),
-    (1, &[("render.rs", "image.pixel(col, row)", "image.pixel(row, col)")], ""),
-    (2, &[("sphere.rs", "[t_1, t_2].into_iter().find(|&t| t_min < t && t < t_max)", "Some(t_1)")], "t > 0 is not asked"),
-    (2, &[NAIVE,
-         ("sphere.rs", "[t_1, t_2].into_iter().find(|&t| t_min < t && t < t_max)", "[t_1].into_iter().find(|&t| t_min < t && t < t_max)")],
-        "Only the smaller root"),
-    (2, &[NAIVE, ("sphere.rs", "b * b - a * c", "b * b + a * c")], "The sign in the discriminant"),
-    (2, &[NAIVE, ("sphere.rs", "b * b - a * c", "b * b - 4.0 * a * c")], "b² − 4 a c"),
-    (2, &[NAIVE, ("sphere.rs", "b_0 + a * t_0", "2.0 * b_0")], "b = 2 d·o goes with"),
-    (2, &[("sphere.rs", "self.radius * self.radius", "self.radius")], "The radius is not squared"),
-    (2, &[("sphere.rs", "ray.origin - self.center", "ray.origin")], "The sphere's centre"),
-    (2, &[("sphere.rs", "if discriminant < 0.0", "if discriminant > 0.0")], ""),
-    (3, &[("triangle.rs", "if alpha < 0.0", "if false")], "α ≥ 0 is not asked"),
-    (3, &[("triangle.rs", "if beta < 0.0", "if false")], "β ≥ 0 is not asked"),
-    (3, &[("triangle.rs", "if gamma < 0.0", "if false")], "γ ≥ 0 is not asked"),
-    (3,
-        &[("triangle.rs", "if alpha < 0.0", "if false"),
-         ("triangle.rs", "if beta < 0.0", "if false"),
-         ("triangle.rs", "if gamma < 0.0", "if false")],
-        "Whether the point is inside"),
-    (3, &[("triangle.rs", "if !(t_min < t && t < t_max)", "if det > 0.0 || !(t_min < t && t < t_max)")], "A triangle is seen from one side only"),
-    (3, &[("triangle.rs", "if !(t_min < t && t < t_max)", "if det < 0.0 || !(t_min < t && t < t_max)")], "A triangle is seen from one side only"),
-    (3, &[("triangle.rs", "if !(t_min < t && t < t_max)", "if t.is_nan()")], "t > 0 is not asked"),
-    (3, &[("triangle.rs", "-self.a_minus_b.dot(w)", "self.a_minus_b.dot(w)")], "γ has the wrong sign"),
-    (3, &[("lib.rs", "Color::new(alpha, beta, gamma)", "Color::new(beta, alpha, gamma)")], "Red and green are exchanged"),
-    (4, &[("scene.rs", "t_max = say.closest(", "say.closest(")], "t_max stays as it was"),
-    (4,
-        &[("scene.rs", "closest = Some((record, object));", "return Some((record, object));"),
-         ("scene.rs", "let mut closest", "let closest")],
-        "The first hit wins"),
-    (4, &[("scene.rs", "background: Color::new(0.03, 0.05, 0.09)", "background: Color::ZERO")], "The background is black"),
-    (4, &[("sphere.rs", "[t_1, t_2]", "[t_2, t_1]")], "The roots are in the wrong order"),
-    (4,
-        &[("sphere.rs", "|&t| t_min < t && t < t_max", "|&t| t < t_max"),
-         ("triangle.rs", "t_min < t && t < t_max)", "t < t_max)")],
-        "t > 0 is not asked"),
-    (4, &[("scene.rs", "face(2, 3), face(3, 0)]", "face(2, 3)]")], ""),
-    (5, &[("material.rs", "if normal.dot(ray.direction) > 0.0 { -normal } else { normal }", "normal")], "n is not turned"),
-    (5, &[("material.rs", "point, to_light.normalize_or_zero()", "point, to_light")], "L_d is too large by a factor r"),
-    (5, &[("material.rs", "i / r_squared", "i / r_squared.sqrt()")], "L_d is too large by a factor r"),
-    (5, &[("material.rs", "if light.attenuation { i / r_squared } else { i }", "i")], "I is not divided by r²"),
-    (5, &[("material.rs", "k_d * irradiance * n_dot_l.max(0.0)", "k_d * irradiance")], "n·l is missing: "),
-    (5, &[("material.rs", "n_dot_l.max(0.0)", "n_dot_l.abs()")], "It is |n·l|"),
-    (5, &[("material.rs", "k_d * irradiance * n_dot_l.max(0.0)", "Color::splat(irradiance * n_dot_l.max(0.0))")], "k_d is missing"),
-    (5, &[("material.rs", "light.position - point", "point - light.position")], "n or l points the other way"),
-    (5, &[("material.rs", "to_light.normalize_or_zero()", "light.position.normalize()")], "l is the light's position"),
-    (5, &[("triangle.rs", "cross.normalize_or_zero()", "cross")], "A triangle's normal is not"),
-    (5, &[("material.rs", "i / r_squared", "i / (4.0 * std::f32::consts::PI * r_squared)")], "I is divided by 4π r²"),
-    (5, &[("scene.rs", "at(4.0, 6.0, 5.0), 42.0", "at(4.0, 6.0, -5.0), 42.0")], ""),
-    (6, &[("scene.rs", "say.term(\"L_a = k_a I_a\", k_a * i_a)", "Color::ZERO * k_a * i_a")], "The ambient term L_a is missing"),
-    (6, &[("scene.rs", "self.shadows && hit(object).is_some()", "false && hit(object).is_some()")], "There are no shadows"),
-    (6, &[("scene.rs", "take(self.lit)", "take(1)")], "The second light is left out"),
-    (6, &[("scene.rs", "self.epsilon, 1.0, &mut Silent", "0.0, 1.0, &mut Silent")], "ε is 0"),
-    (6, &[("scene.rs", "self.epsilon, 1.0, &mut Silent", "self.epsilon, f32::INFINITY, &mut Silent")], "The shadow ray does not end"),
-    (6,
-        &[("scene.rs", "Ray::new(point, light.position - point)", "Ray::new(point, (light.position - point).normalize())")],
-        "The shadow ray's direction"),
-    (6,
-        &[("scene.rs", "result += say.term(\"L_d\", l_d);\n            }", "result += say.term(\"L_d\", l_d);\n            } else { break; }")],
-        "Of the lights after one"),
-    (6,
-        &[("scene.rs", "say.term(\"L_d\", l_d)", "say.term(\"L_d\", l_d + k_a * i_a)"),
-         ("scene.rs", "k_a * i_a);\n        for", "0.0 * k_a * i_a);\n        for")],
-        "The ambient term is added once for each light that is seen"),
-    (6,
-        &[("scene.rs", "say.group(light.name);", "say.group(light.name); result += k_a * i_a;"),
-         ("scene.rs", "k_a * i_a);\n        for", "0.0 * k_a * i_a);\n        for")],
-        "The ambient term is added once for each light"),
-    (6, &[("scene.rs", "blocker.is_none())) > 0.0", "blocker.is_some())) > 0.0")], "It is the wrong way round"),
-    (7, &[("material.rs", "k_s > 0.0 && n_dot_l > 0.0", "k_s > 0.0")], "A light behind the surface"),
-    (7, &[("material.rs", "if self.phong { phong }", "if !self.phong { phong }")], "The highlight is Phong's"),
-    (7, &[("material.rs", "powf(p);", "powf(p / 4.0);")], "p is too small by a factor 4"),
-    (7, &[("material.rs", "powf(p);", "powf(4.0 * p);")], "p is too large by a factor 4"),
-    (7, &[("material.rs", "(v + l).normalize_or_zero()", "(v + l) / 2.0")], "h is (v + l)/2"),
-    (7, &[("material.rs", "-ray.direction.normalize()", "ray.direction.normalize()")], "v points from the eye"),
-    (7, &[("material.rs", "k_s * irradiance * highlight", "k_s * highlight")], "The highlight is not multiplied by I/r²"),
-    (7, &[("material.rs", "Color::splat(l_s)", "l_s * k_d")], "The highlight has the surface's colour"),
-    (7, &[("scene.rs", "d * l_d + s * l_s", "d * l_d + 0.0 * s * l_s")], "The specular term L_s is missing"),
-    (7, &[("material.rs", "k_s * irradiance * highlight", "irradiance * highlight")], "k_s is missing"),
-    (7, &[("scene.rs", "d * l_d + s * l_s", "d * l_d + s * l_s * 0.8")], ""),
-];
 
 /// A copy of the steps, with programs of its own.
 struct Copy {
@@ -197,7 +59,7 @@ impl Copy {
     }
 
     fn cargo(&self) -> Command {
-        let mut cargo = Command::new(env!("CARGO"));
+        let mut cargo = start(env!("CARGO"));
         cargo.current_dir(&self.root).args(["--quiet"]).env("CARGO_NET_OFFLINE", "true");
         cargo.env("CARGO_TARGET_DIR", self.target());
         cargo
@@ -223,7 +85,7 @@ impl Copy {
                 cargo.arg(self.root.join("Cargo.toml")).arg("--");
                 cargo
             }
-            _ => Command::new(self.programs.join(reached)),
+            _ => start(self.programs.join(reached)),
         };
         check.env("CARGO", env!("CARGO")).env("CARGO_NET_OFFLINE", "true");
         check.env("CARGO_TARGET_DIR", self.target());
@@ -393,7 +255,7 @@ fn right_solutions_are_accepted_and_wrong_ones_refused_by_name() {
     for (step, changes) in RIGHT {
         judge(*step, changes, 0, "");
     }
-    let broken = copy.check(6, &[("scene.rs", "let ray = ", "let ray: u8 = ")]);
+    let broken = copy.check(6, &[("scene.rs", "let shadow_ray = ", "let shadow_ray: u8 = ")]);
     let said = String::from_utf8_lossy(&broken.stderr);
     assert!(said.contains("error: step05_diffuse does not compile: "), "{said}");
     assert_eq!((broken.status.code(), &broken.stdout[..]), (Some(1), &[][..]));

@@ -90,11 +90,7 @@ fn same_whatever_is_set<A: Package, B: Package>(later: &A, earlier: &B, why: &st
 }
 
 #[test]
-fn step07_without_k_s_or_l_s_is_step06() {
-    let mut later = Specular::default();
-    later.scene.weights[2] = 0.0;
-    let why = "the weight of L_s is 0: L = L_a + the sum of L_d";
-    same_whatever_is_set(&later, &Shadow::default(), why);
+fn step07_without_k_s_is_step06() {
     let mut later = Specular::default();
     later.scene.objects.iter_mut().for_each(|object| object.material.k_s = 0.0);
     let why = "with k_s = 0 every L_s is 0: L = L_a + the sum of L_d";
@@ -105,10 +101,56 @@ fn step07_without_k_s_or_l_s_is_step06() {
 fn step06_with_one_light_and_no_shadow_is_step05() {
     let mut later = Shadow::default();
     later.scene.ambient = 0.0;
-    later.scene.lit = 1;
-    later.scene.shadows = false;
-    let why = "no ambient light, the key light alone and nothing in its way: L = L_d";
+    later.scene.lights[1].intensity = 0.0;
+    later.scene.epsilon = UNSHADOWED;
+    let why = "no ambient light, the key light alone, and no t lies in 1 < t < 1: L = L_d";
     same_whatever_is_set(&later, &Diffuse::default(), why);
+}
+
+/// What step 05, which has no shadows, shows of one light after the other is all that step 06 adds up
+/// where ε = 1; and of step 07 it is all but the highlights.
+#[test]
+fn with_epsilon_1_each_light_lights_all_that_faces_it() {
+    let mut later = Shadow::default();
+    later.scene.epsilon = UNSHADOWED;
+    let mut dull = Specular::default();
+    dull.scene.epsilon = UNSHADOWED;
+    dull.scene.objects.iter_mut().for_each(|object| object.material.k_s = 0.0);
+    let mut dark = later.clone();
+    dark.scene.lights.clear();
+    let lights = later.scene.lights.clone();
+    for view in views(&later) {
+        let mut expected = colors(&dark, &view);
+        for light in &lights {
+            let mut earlier = Diffuse::default();
+            // The background is no light of its own.
+            earlier.scene.background = Color::ZERO;
+            (earlier.scene.light.position, earlier.scene.light.intensity) =
+                (light.position, light.intensity);
+            for (sum, color) in expected.iter_mut().zip(colors(&earlier, &view)) {
+                *sum += color;
+            }
+        }
+        let why = "with ε = 1 nothing is in a light's way: L = L_a + the sum of step 05's L_d";
+        same::<Shadow, Diffuse>(&colors(&later, &view), &expected, why);
+        same::<Specular, Diffuse>(&colors(&dull, &view), &expected, why);
+        let shadowed = colors(&Shadow::default(), &view);
+        assert!(shadowed != expected, "with ε = 10⁻³ there are shadows, seen from {view:?}");
+    }
+}
+
+#[test]
+fn with_epsilon_1_nothing_is_said_to_block_a_light() {
+    for index in [5, 6] {
+        let mut setup = setup(index);
+        setup.set("epsilon", "1").expect("the slider reaches 1");
+        let told = explanations(setup.step(), setup.view());
+        let lines = told.iter().flat_map(Explanation::lines);
+        let blockers: Vec<Value> =
+            lines.filter(|line| line.equation == "blocked by").map(|line| line.value).collect();
+        let nothing = blockers.iter().all(|value| *value == Value::Word("nothing"));
+        assert!(nothing && !blockers.is_empty(), "{}: {blockers:?}", STEPS[index]);
+    }
 }
 
 #[test]
@@ -136,7 +178,9 @@ fn steps_04_to_07_hit_the_same() {
         let expected = explanations(&first, &view);
         for later in later {
             for (a, b) in explanations(later, &view).iter().zip(&expected) {
-                assert_eq!(a.sections[..2], b.sections[..2], "the rays and hits are step 04's");
+                for part in ["viewing ray", "intersection"] {
+                    assert_eq!(a.scope(part), b.scope(part), "the {part} is step 04's");
+                }
             }
         }
     }
@@ -175,8 +219,8 @@ fn steps_02_and_03_cast_the_rays_of_step01() {
         assert_eq!(later.view(), first.view(), "the view is step 01's");
         for view in views(&first) {
             for (a, b) in explanations(later, &view).iter().zip(explanations(&first, &view)) {
-                let lines = &b.sections[0].groups[0].lines[..3];
-                assert_eq!(a.sections[0].groups[0].lines, lines, "(u, v), p and d are step 01's");
+                let ray = "viewing ray";
+                assert_eq!(a.scope(ray), b.scope(ray), "u, v, p and d are step 01's");
             }
         }
     }

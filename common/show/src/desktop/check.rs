@@ -1,3 +1,5 @@
+//! `--check`: whether a solution of an exercise is right, and what is wrong with it.
+
 use std::ffi::OsString;
 use std::fmt;
 use std::fs;
@@ -84,7 +86,13 @@ const VIEWS: &[(usize, usize, bool, &str)] = &[
     (160, 90, false, "sphere=green center.x=-0.9 center.z=0.7"),
     (160, 90, false, "light=key light.x=0.2 light.y=0.7 light.z=2.8"),
     (160, 90, false, "light=key light.x=0.5 light.y=1 light.z=-4 I=200"),
-    (160, 90, false, "light=key light.x=-0.4 light.y=1.9 light.z=-3 shadows=off"),
+    // Within the green sphere: behind its surface wherever that is seen, and blocked by nothing.
+    (
+        160,
+        90,
+        false,
+        "light=key light.x=-2.3 light.y=1 light.z=1.4 azimuth=-50 elevation=0 distance=4",
+    ),
 ];
 
 impl fmt::Display for Case {

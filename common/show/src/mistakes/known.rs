@@ -1,3 +1,5 @@
+//! The mistakes that the lecture knows, by slide and place.
+
 use std::f32::consts::PI;
 
 use super::Kind;
@@ -6,6 +8,7 @@ use common::Color;
 use common::Explanation;
 use common::Outcome;
 use common::Pixel;
+use common::Place;
 use common::Scope;
 use common::Slip;
 use common::Value;
@@ -28,6 +31,7 @@ macro_rules! told {
 
 macro_rules! kind {
     (told $($slip:tt)*) => { Kind::Told(told!($($slip)*)) };
+    (mapped $place:expr) => { Kind::Mapped($place) };
     (blocked $range:expr) => { Kind::Blocked($range) };
     (encoded $encoding:expr) => { Kind::Encoded($encoding) };
 }
@@ -44,9 +48,6 @@ macro_rules! known {
     };
 }
 
-/// Whatever the pixel loop told, the pixel's centre.
-pub(super) const CENTER: Slip = told!(|said| "u =" => u(said), "v =" => v(said));
-
 /// Whatever blocks a light, it is seen.
 pub(super) const VISIBLE: Slip = told!(|_| "V" => 1.0);
 
@@ -54,27 +55,31 @@ pub(super) const VISIBLE: Slip = told!(|_| "V" => 1.0);
 pub(super) const ALL: &[Mistake] = known! {
     "Mapeamento", "viewing_ray in render.rs" {
         "The ½ is missing: (u, v) is the pixel's corner, not its centre" =>
-            told(|said| "u =" => grid(said, 0.0, 0.0).0, "v =" => grid(said, 0.0, 0.0).1);
-        "The ½ is missing from u" => told(|said| "u =" => grid(said, 0.0, 0.0).0);
-        "The ½ is missing from v" => told(|said| "v =" => grid(said, 0.0, 0.0).1);
+            mapped(|pixel| grid(pixel, 0.0, 0.0));
+        "The ½ is missing from u" =>
+            mapped(|pixel| (grid(pixel, 0.0, 0.0).0, center(pixel).1));
+        "The ½ is missing from v" =>
+            mapped(|pixel| (center(pixel).0, grid(pixel, 0.0, 0.0).1));
         "(u, v) is the pixel's lower right corner, not its centre" =>
-            told(|said| "u =" => grid(said, 1.0, 0.0).0, "v =" => grid(said, 1.0, 0.0).1);
+            mapped(|pixel| grid(pixel, 1.0, 0.0));
         "(u, v) is the pixel's lower left corner, not its centre" =>
-            told(|said| "u =" => grid(said, 0.0, 0.0).0, "v =" => grid(said, 1.0, 0.0).1);
+            mapped(|pixel| (grid(pixel, 0.0, 0.0).0, grid(pixel, 1.0, 0.0).1));
         "It divides by width − 1 and height − 1, not by width and height" =>
-            told(|said| "u =" => grid(said, 0.0, 1.0).0, "v =" => grid(said, 0.0, 1.0).1);
+            mapped(|pixel| grid(pixel, 0.0, 1.0));
         "The ½ is added, but it divides by width − 1 and height − 1" =>
-            told(|said| "u =" => grid(said, 0.5, 1.0).0, "v =" => grid(said, 0.5, 1.0).1);
-        "u and v are exchanged" => told(|said| "u =" => v(said), "v =" => u(said));
+            mapped(|pixel| grid(pixel, 0.5, 1.0));
+        "u and v are exchanged" =>
+            mapped(|pixel| { let (u, v) = center(pixel); (v, u) });
         "Columns and rows are exchanged" =>
-            told(|said| "u =" => 1.0 - v(said), "v =" => 1.0 - u(said));
+            mapped(|pixel| { let (u, v) = center(pixel); (1.0 - v, 1.0 - u) });
         "The picture is upside down: v = 1 − (row + ½)/height" =>
-            told(|said| "v =" => 1.0 - v(said));
-        "The picture is mirrored: u = (col + ½)/width" => told(|said| "u =" => 1.0 - u(said));
+            mapped(|pixel| { let (u, v) = center(pixel); (u, 1.0 - v) });
+        "The picture is mirrored: u = (col + ½)/width" =>
+            mapped(|pixel| { let (u, v) = center(pixel); (1.0 - u, v) });
         "The picture is turned by 180°: u grows to the right, v upwards" =>
-            told(|said| "u =" => 1.0 - u(said), "v =" => 1.0 - v(said));
+            mapped(|pixel| { let (u, v) = center(pixel); (1.0 - u, 1.0 - v) });
         "u and v go from −1 to 1, not from 0 to 1" =>
-            told(|said| "u =" => 2.0 * u(said) - 1.0, "v =" => 2.0 * v(said) - 1.0);
+            mapped(|pixel| { let (u, v) = center(pixel); (2.0 * u - 1.0, 2.0 * v - 1.0) });
     }
     "Raios", "trace in lib.rs" {
         "The colour is d itself, not ½ + d/2, so that all that is negative is black" =>
@@ -156,12 +161,14 @@ pub(super) const ALL: &[Mistake] = known! {
         "α ≥ 0 is not asked: the triangle is a parallelogram" =>
             told(|_, alpha: f32| "α =" => alpha.max(0.0));
         "β ≥ 0 is not asked" =>
-            told(|_, beta: f32| "β =" => beta.max(0.0));
+            told(|said, beta: f32| "β =" => beta.max(0.0), "α =" => alpha(said));
         "γ ≥ 0 is not asked" =>
-            told(|_, gamma: f32| "γ =" => gamma.max(0.0));
+            told(|said, gamma: f32| "γ =" => gamma.max(0.0), "α =" => alpha(said));
         "Whether the point is inside is not asked: the whole plane is seen" =>
-            told(|_, weight: f32|
-                "β =" => weight.max(0.0), "γ =" => weight.max(0.0), "α =" => weight.max(0.0));
+            told(|said, weight: f32|
+                "β =" => weight.max(0.0),
+                "γ =" => weight.max(0.0),
+                "α =" => alpha(said).max(0.0));
     }
     "Intersecção de raios em software", "intersect in scene.rs" {
         "t_max stays as it was: the last hit wins, not the closest" =>
@@ -267,6 +274,9 @@ pub(super) const ALL: &[Mistake] = known! {
                 vector(said, "n").dot(vector(said, "v") + vector(said, "l")) / 2.0);
         "v points from the eye to the surface: it is −d, normalised" =>
             told(|_, v: Vec3| "v" => -v);
+        "v points from the eye to the surface: it is −d, normalised" =>
+            told(|said| "n·h" =>
+                vector(said, "n").dot((vector(said, "l") - vector(said, "v")).normalize_or_zero()));
         "cos α is n·v, not n·h" =>
             told(|said| "n·h" => vector(said, "n").dot(vector(said, "v")));
         "cos α is n·l, not n·h" => told(|said| "n·h" => number(said, "n·l"));
@@ -285,20 +295,17 @@ pub(super) const ALL: &[Mistake] = known! {
     }
 };
 
-/// The normalized coordinates of a pixel: `offset` from its upper left corner, and with `less` than
-/// all columns and rows taken for the whole.
-fn grid(said: &Explanation, offset: f32, less: f32) -> (f32, f32) {
-    let Pixel { col, row, width, height } = said.pixel;
+/// The (u, v) of a place in a pixel: `offset` from its upper left corner, and with `less` than all
+/// columns and rows taken for the whole.
+fn grid(pixel: Pixel, offset: f32, less: f32) -> (f32, f32) {
+    let Pixel { col, row, width, height } = pixel;
     let share = |index: usize, of: usize| (index as f32 + offset) / (of as f32 - less).max(1.0);
     (share(col, width), 1.0 - share(row, height))
 }
 
-fn u(said: &Explanation) -> f32 {
-    grid(said, 0.5, 0.0).0
-}
-
-fn v(said: &Explanation) -> f32 {
-    grid(said, 0.5, 0.0).1
+/// The (u, v) of a pixel's centre.
+pub(super) fn center(pixel: Pixel) -> (f32, f32) {
+    grid(pixel, 0.5, 0.0)
 }
 
 /// The value of this type that was told last of `symbol`.
@@ -341,6 +348,23 @@ fn a_c(said: &Explanation, d: f32) -> f32 {
 /// The smaller root with the sign −1, the larger one with 1.
 fn root(said: &Explanation, sign: f32) -> f32 {
     (-number(said, "b") + sign * number(said, "√D")) / number(said, "a")
+}
+
+/// α of the triangle that is spoken of, whatever β and γ were changed to: the share of the area that
+/// b, c and the point span.
+fn alpha(said: &Explanation) -> f32 {
+    let corners = |symbol| {
+        let mut lines = said.current().lines().filter(|line| line.symbol() == symbol);
+        lines.find_map(|line| match line.place {
+            Some(Place::Area(corners)) => Some(corners),
+            _ => None,
+        })
+    };
+    let Some(([point, c, a], [_, _, b])) = corners("β").zip(corners("γ")) else {
+        return f32::NAN;
+    };
+    let normal = (b - a).cross(c - a);
+    (b - point).cross(c - point).dot(normal) / normal.length_squared()
 }
 
 /// A tiny t > 0 for each t < 0, in the same order; others as they are.

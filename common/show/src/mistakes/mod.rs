@@ -1,3 +1,5 @@
+//! What a mistake that is known makes of a picture, and which one a picture shows.
+
 mod known;
 
 use std::fmt;
@@ -9,6 +11,7 @@ use crate::TOLERANCE;
 use crate::sight::first_hit;
 use common::Camera;
 use common::Color;
+use common::Explanation;
 use common::Frame;
 use common::Pixel;
 use common::Place;
@@ -19,9 +22,9 @@ use common::Step;
 use common::encode;
 use common::off;
 use common::translated;
-use known::CENTER;
 use known::VISIBLE;
 use known::added;
+use known::center;
 
 /// A mistake that the lecture knows: what is wrong, and where to look.
 ///
@@ -40,6 +43,8 @@ pub struct Mistake {
 
 #[derive(Debug)]
 enum Kind {
+    /// The ray goes through this (u, v), not through the pixel's centre.
+    Mapped(fn(Pixel) -> (f32, f32)),
     /// A value told is another.
     Told(Slip),
     /// A light is blocked by what is between these t of the shadow ray, whose length is given.
@@ -121,16 +126,16 @@ impl Mistake {
 
     /// The radiance of `pixel` with this mistake, unless it is one of encoding.
     fn color(&self, step: &dyn Step, camera: &dyn Camera, pixel: Pixel) -> Color {
-        let tell = |slips: &[Slip]| {
-            let recorder = Recorder::mistaken(pixel, slips);
-            let color = step.tell(camera, pixel, &recorder);
-            recorder.finish(color)
+        let (u, v) = match self.kind {
+            Kind::Mapped(place) => place(pixel),
+            _ => center(pixel),
         };
+        let ray = camera.generate_ray(u, v);
         match self.kind {
-            Kind::Told(slip) => tell(&[CENTER, slip]).color,
-            Kind::Encoded(_) => tell(&[CENTER]).color,
+            Kind::Told(slip) => seen(step, ray, pixel, &[slip]).color,
+            Kind::Mapped(_) | Kind::Encoded(_) => seen(step, ray, pixel, &[]).color,
             Kind::Blocked(range) => {
-                let said = tell(&[CENTER, VISIBLE]);
+                let said = seen(step, ray, pixel, &[VISIBLE]);
                 let mut color = said.color;
                 for light in said.told.all() {
                     let ray = light.lines().find_map(|line| match line.place {
@@ -150,14 +155,30 @@ impl Mistake {
     }
 }
 
-/// The picture of `frame` with one ray a pixel, through its centre whatever the pixel loop says.
+/// The picture of `frame` with one ray a pixel, through its centre whatever the pixel loop does.
 pub fn centered(frame: &Frame<'_>) -> RgbImage {
     let (width, height) = (frame.size.width(), frame.size.height());
     RgbImage::from_fn(width as u32, height as u32, |col, row| {
         let pixel = Pixel { col: col as usize, row: row as usize, width, height };
-        let recorder = Recorder::mistaken(pixel, &[CENTER]);
-        Rgb(encode(frame.step.tell(frame.camera, pixel, &recorder)))
+        let (u, v) = center(pixel);
+        Rgb(encode(seen(frame.step, frame.camera.generate_ray(u, v), pixel, &[]).color))
     })
+}
+
+/// A camera with one ray, whatever (u, v) it is asked for.
+struct OneRay(Ray);
+
+impl Camera for OneRay {
+    fn generate_ray(&self, _u: f32, _v: f32) -> Ray {
+        self.0
+    }
+}
+
+/// What is seen along `ray` in `pixel`, whichever ray the step's pixel loop takes, with `slips`.
+fn seen(step: &dyn Step, ray: Ray, pixel: Pixel, slips: &[Slip]) -> Explanation {
+    let recorder = Recorder::mistaken(pixel, slips);
+    let color = step.tell(&OneRay(ray), pixel, &recorder);
+    recorder.finish(color)
 }
 
 fn byte(value: f32) -> u8 {
