@@ -130,9 +130,10 @@ fn texts() -> BTreeSet<String> {
 /// The texts of the web page's own: what its script asks for, and what stands in its HTML.
 fn texts_of_the_page() -> Vec<String> {
     let mut texts = Vec::new();
-    for file in ["page/index.html", "page/page.js", "src/html.rs"] {
-        let source = fs::read_to_string(root().join("lecture").join(file)).expect("text");
-        let source = source.replace("\\\"", "\"");
+    let mut files = files_below(&root().join("lecture/page"));
+    files.push(root().join("lecture/src/html.rs"));
+    for file in files {
+        let source = fs::read_to_string(file).expect("text").replace("\\\"", "\"");
         for mark in ["data-text=\"", "data-name=\"", "text(\""] {
             let is_word = |at: usize| source[..at].ends_with(|letter: char| letter.is_alphabetic());
             let found = source.match_indices(mark).filter(|(at, _)| !is_word(*at));
