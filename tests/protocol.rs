@@ -126,7 +126,7 @@ fn what_lies_over_a_picture_changes_only_it() {
     ] {
         let mut page = Asked::at(&format!("#step07&size=64x36{address}"));
         assert_eq!(page.state()["marked"], marked, "{address}");
-        assert_eq!(page.shown(None, &[now.clone()]) != plain, marked, "{address}");
+        assert_eq!(page.shown(None, std::slice::from_ref(&now)) != plain, marked, "{address}");
         assert!(page.rows(now.clone()) == plain, "{address}");
     }
     // A coarse picture becomes as large as it is shown.
@@ -314,7 +314,7 @@ fn a_figure_is_changed_alone() {
     assert_eq!(first["size"][0], 960);
     let before = page.rows(figure.clone());
     // Its letters lie over its rows.
-    assert!(page.shown(Some("both_roots"), &[figure.clone()]) != before);
+    assert!(page.shown(Some("both_roots"), std::slice::from_ref(&figure)) != before);
     page.ask(json!({"doOn": ["both_roots", {"set": ["radius", "0.5"]}]}));
     assert!(page.rows(figure) != before);
     assert!(its(&mut page)["address"].to_string().contains("radius=0.5"));
