@@ -82,6 +82,8 @@ pub enum Act {
     ShowLine,
     /// The chosen line, or the one that is shown, is answered otherwise.
     WhatIfLine,
+    /// The picture alone, or with all beside it.
+    Alone,
     /// The next of the languages.
     NextLanguage,
     /// This language.

@@ -72,6 +72,7 @@ pub struct Desk {
     look: Look,
     /// The shown line is seen as a curve too, if a pixel is pinned.
     curve: bool,
+    alone: bool,
     /// The centre of the pinned pixel, as a part of the width from the left and of the height
     /// from the top.
     pinned: Option<(f32, f32)>,
@@ -112,7 +113,7 @@ impl Desk {
     ///
     /// When there is no program at `current`.
     pub fn new(programs: Vec<Program>, current: usize) -> Self {
-        let Program { ref make, size, .. } = programs[current];
+        let Program { ref make, size, is_figure, .. } = programs[current];
         let mut desk = Self {
             setup: Setup::new(make.clone()),
             programs,
@@ -130,6 +131,7 @@ impl Desk {
             what_ifs: Vec::new(),
             look: Look::default(),
             curve: false,
+            alone: is_figure,
             pinned: None,
             language: Language::spoken(),
             effects: Vec::new(),
@@ -212,6 +214,11 @@ impl Desk {
             Reading::Idea if idea.is_empty() => Reading::Pixel,
             reading => reading,
         }
+    }
+
+    /// Whether the picture is shown alone, without anything beside it.
+    pub fn alone(&self) -> bool {
+        self.alone
     }
 
     /// The language of all that is shown: at first the one [spoken](Language::spoken) when it began.

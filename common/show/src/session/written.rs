@@ -13,6 +13,7 @@ use crate::Area;
 use crate::Canvas;
 use crate::Curve;
 use crate::Legend;
+use crate::over::compared;
 
 /// The em of the text beside a written picture, of the picture's height, and that of the labels in it.
 const TEXT: f32 = 1.0 / 36.0;
@@ -33,17 +34,15 @@ impl Session {
     /// pinned pixel's rays and vectors, or the camera from outside. Below a quantity's picture stands its
     /// legend, and its curve; to the right of a pinned pixel's its equations, in as many columns as they
     /// take.
-    pub fn written(&self, mut pictures: Vec<RgbImage>) -> RgbImage {
+    pub fn written(&self, pictures: Vec<RgbImage>) -> RgbImage {
         self.desk.language().speak();
-        let this = pictures.pop().unwrap_or_default();
-        let picture = pictures.pop().map(|before| self.desk.compare().composed(&before, &this));
-        let mut picture = picture.unwrap_or(this);
+        let mut picture = compared(&self.desk, pictures);
         let area = Canvas::new(&mut picture).area();
         let shorter = area.height.min(0.75 * area.width);
         let [em, label] = [TEXT, LABEL].map(|part| (part * shorter).clamp(SIZES.0, SIZES.1));
         let told = self.desk.pin().is_some() && self.desk.vectors();
         if self.desk.vectors() || self.desk.onlooker().is_some() {
-            self.paint_vectors(&mut Canvas::new(&mut picture), area, label);
+            self.paint_marks(&mut Canvas::new(&mut picture), area, label);
         }
         let wide = area.width >= LEAST_WIDTH * em;
         let legend = self.desk.legend().filter(|_| wide);
