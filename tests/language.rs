@@ -369,7 +369,7 @@ fn is_written(image: &RgbImage, left: f32, size: f32, ink: Ink, text: &str) -> b
 #[test]
 fn the_keys_are_shown_in_the_language_of_the_session() {
     // So high that all lines can be seen, and so wide that none is broken.
-    let window = Size::new(1000, 4000).expect("a size");
+    let window = Size::new(1000, 5000).expect("a size");
     let em = 0.0385 * 0.75 * 1000.0;
     for (_, language) in Language::ALL {
         language.speak();
@@ -377,7 +377,7 @@ fn the_keys_are_shown_in_the_language_of_the_session() {
         let mut session = Session::new(Desk::new((0..STEPS.len()).map(program).collect(), 5));
         session.handle(Event::Resize(window));
         session.handle(Event::Key(Key::F(1), false));
-        let mut image = RgbImage::new(1000, 4000);
+        let mut image = RgbImage::new(1000, 5000);
         session.paint(&mut image, &[], "");
         for row in keys() {
             for (left, ink, english) in

@@ -88,6 +88,10 @@ impl Step for Loops {
     fn tell(&self, _: &dyn Camera, _: Pixel, _: &Recorder) -> Color {
         Color::ZERO
     }
+
+    fn probe(&self, _: &dyn Camera, _: Pixel, _: &Probe<'_>) -> Color {
+        Color::ZERO
+    }
 }
 
 fn frame(step: &Loops, (width, height): (usize, usize), samples: usize) -> Frame<'_> {

@@ -185,6 +185,10 @@ impl Step for Ranged {
     fn tell(&self, _: &dyn Camera, _: Pixel, _: &Recorder) -> Color {
         Color::ZERO
     }
+
+    fn probe(&self, _: &dyn Camera, _: Pixel, _: &Probe<'_>) -> Color {
+        Color::ZERO
+    }
 }
 
 #[test]

@@ -213,6 +213,10 @@ impl Step for Mirrors {
     fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color {
         self.trace(&viewing_ray(camera, pixel, say), self.bounces, say)
     }
+
+    fn probe(&self, camera: &dyn Camera, pixel: Pixel, say: &Probe<'_>) -> Color {
+        self.trace(&viewing_ray(camera, pixel, say), self.bounces, say)
+    }
 }
 
 fn vector(value: Value) -> Color {

@@ -84,7 +84,7 @@ impl Look {
 
 impl Curve {
     /// How high it is, in ems.
-    pub const HEIGHT: f32 = 6.6;
+    pub const HEIGHT: f32 = 7.6;
 
     /// Draws it in `area`, with text of this size.
     pub fn draw(&self, canvas: &mut Canvas<'_>, area: Area, em: f32) {
@@ -129,7 +129,9 @@ impl Curve {
                 }
                 for (number, text) in scale.ticks(plot.height / (1.5 * em)) {
                     let beside = (plot.left + 0.3 * em, at(0, number).1);
-                    canvas.label(beside, Anchor::Left, em, TEXT, &text);
+                    // The lowest does not reach down to the columns.
+                    let anchor = if number == scale.low { Anchor::BottomLeft } else { Anchor::Left };
+                    canvas.label(beside, anchor, em, TEXT, &text);
                 }
                 for (name, ink) in inks(curves.len()).into_iter().rev() {
                     canvas.label(right, Anchor::TopRight, em, ink, name);
