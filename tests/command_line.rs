@@ -111,8 +111,10 @@ fn help_names_every_flag_and_control_and_writes_nothing() {
     for (index, name) in STEPS.iter().enumerate() {
         let (output, files) = run(name, &["--help"]);
         let text = String::from_utf8(output.stdout).expect("text");
-        let flags =
-            ["--output", "--size", "--camera", "--set", "--samples", "--pixel", "--compare"];
+        let flags = [
+            "--output", "--size", "--camera", "--set", "--samples", "--pixel", "--show", "--range",
+            "--curve", "--what-if", "--compare",
+        ];
         let controls = setup(index).list().into_iter().map(|setting| {
             let Setting { name, control, .. } = setting;
             format!("  {name:<16} {} ({})\n", control.takes(), control.text())

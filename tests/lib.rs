@@ -76,7 +76,7 @@ pub fn setup(index: usize) -> Setup {
 /// The pictures that `desk` shows, of this size.
 pub fn pictures_of(desk: &Desk, size: Size) -> Vec<RgbImage> {
     let render = |wanted: &Wanted<'_>| {
-        let (step, camera) = (wanted.setup.step(), &*wanted.camera);
+        let (step, camera) = (wanted.step(), &*wanted.camera);
         Frame { step, camera, size, samples: 1 }.render()
     };
     desk.pictures().iter().map(render).collect()

@@ -124,11 +124,16 @@ impl Listener for Recorder {
     fn shadow_ray(
         &self, symbol: &'static str, ray: &Ray, blocker: Option<(&'static str, f32)>,
     ) -> bool {
-        let (name, t) = blocker.unwrap_or(("nothing", 1.0));
-        let blocked_by = blocker.map(|(_, t)| ray.at(t));
-        self.tell("shadow ray's d", ray.direction, Some(Place::ShadowRay(*ray, t)));
-        self.tell("blocked by", Value::Word(name), blocked_by.map(Place::Point));
-        self.line(symbol, f32::from(blocker.is_none())) <= 0.0
+        let v = self.altered(symbol, f32::from(blocker.is_none()));
+        let blocked = v <= 0.0;
+        // Answered otherwise, it gets to the light all the same, or not away from the point.
+        let end = if blocked { blocker.map_or(0.0, |(_, t)| t) } else { 1.0 };
+        let blocked_by = blocker.filter(|_| blocked).map(|(_, t)| Place::Point(ray.at(t)));
+        let name = blocker.map_or("nothing", |(name, _)| name);
+        self.tell("shadow ray's d", ray.direction, Some(Place::ShadowRay(*ray, end)));
+        self.tell("blocked by", Value::Word(name), blocked_by);
+        self.tell(symbol, v, None);
+        blocked
     }
 
     fn miss<T>(&self, why: &'static str, condition: &'static str) -> Option<T> {

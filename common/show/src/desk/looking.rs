@@ -287,8 +287,7 @@ impl Desk {
 
     /// What there is to be said of all that is not as the step has it.
     pub fn altered(&self) -> Option<String> {
-        let setting = |what_if: &WhatIf| format!("{} = {}", what_if.label(), what_if.value());
-        let settings: Vec<String> = self.what_ifs.iter().map(setting).collect();
+        let settings: Vec<String> = self.what_ifs.iter().map(WhatIf::question).collect();
         (!settings.is_empty()).then(|| text!("What if {settings}?", settings = settings.join(", ")))
     }
 

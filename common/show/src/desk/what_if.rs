@@ -3,6 +3,7 @@
 use crate::Setting;
 use crate::control::AXES;
 use crate::control::Control;
+use crate::texts;
 use crate::translated;
 use common::Answer;
 use common::Explanation;
@@ -22,6 +23,8 @@ pub struct WhatIf {
     pub answer: Answer,
     /// What was told before it was answered otherwise; its kind and its hue stay.
     told: Told,
+    /// The object or the light that it is told about; "" where it is about a part of the algorithm.
+    of: String,
 }
 
 /// What kind of thing is told.
@@ -49,7 +52,9 @@ impl WhatIf {
             (Value::Vector(vector), Some(_)) => (told.value, Told::Vector(vector)),
             (Value::Vector(color), None) => (told.value, Told::Color(color)),
         };
-        Some(Self { answer: Answer { line: line.clone(), value }, told })
+        let is_part = explanation.scope(&line.of).is_some();
+        let of = if is_part { String::new() } else { line.of.clone() };
+        Some(Self { answer: Answer { line: line.clone(), value }, told, of })
     }
 
     /// What it is called among the settings.
@@ -68,9 +73,18 @@ impl WhatIf {
 
     /// Its symbol, and what it is told about: in a narrow column the symbol is still read.
     pub(super) fn label(&self) -> String {
-        let LineName { of, .. } = &self.answer.line;
         let symbol = translated(self.answer.line.symbol());
-        if of.is_empty() { symbol.to_owned() } else { format!("{symbol} · {}", translated(of)) }
+        match self.of.as_str() {
+            "" => symbol.to_owned(),
+            of => format!("{symbol} · {}", translated(of)),
+        }
+    }
+
+    /// What is asked of it, as it is read.
+    pub(super) fn question(&self) -> String {
+        let values = texts(&self.answer.value);
+        let values: Vec<&str> = values.iter().map(|text| text.trim()).collect();
+        format!("{} = {}", self.label(), values.join(", "))
     }
 
     /// Its controls: one for a number or for light, three for a direction or a point.

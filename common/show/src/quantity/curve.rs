@@ -84,14 +84,14 @@ impl Look {
 
 impl Curve {
     /// How high it is, in ems.
-    pub const HEIGHT: f32 = 7.6;
+    pub const HEIGHT: f32 = 6.8;
 
     /// Draws it in `area`, with text of this size.
     pub fn draw(&self, canvas: &mut Canvas<'_>, area: Area, em: f32) {
         let width = self.pixel.width as f32;
         let plot = Area { top: area.top + 0.7 * em, height: area.height - 2.1 * em, ..area };
         let x = |col: f32| plot.left + (col + 0.5) / width * plot.width;
-        let (columns, step) = ticks::ticks(&(0.0..width - 1.0), plot.width / (6.0 * em));
+        let (columns, step) = ticks::ticks(&(0.0..width - 1.0), plot.width / (4.5 * em));
         for column in columns.into_iter().filter(|column| column.fract() == 0.0) {
             let (text, at) = (ticks::short(column, step), x(column));
             canvas.line((at, plot.top), (at, plot.bottom()), 1.0, GRID);

@@ -172,16 +172,16 @@ fn draw_names(
 ) {
     let (mut x, mut y) = (area.left + 0.2 * em, area.top);
     for (name, rgb, pinned) in names {
-        let width = 1.3 * em + Font::width(em, &name);
+        let width = 1.4 * em + Font::width(em, &name);
         if x + width > area.right() && x > area.left + em {
             (x, y) = (area.left + 0.2 * em, y + 1.25 * em);
         }
         let swatch = Area::new(x, y + 0.2 * em, 0.8 * em, 0.8 * em);
         canvas.fill(swatch, Ink { rgb, alpha: 255 });
         if pinned {
-            canvas.border(swatch.inset(-0.2 * em), 0.15 * em, PINNED);
+            canvas.border(swatch.inset(-0.15 * em), 0.15 * em, PINNED);
         }
-        canvas.text((x + 1.1 * em, y), Anchor::TopLeft, em, TEXT, &name);
+        canvas.text((x + 1.2 * em, y), Anchor::TopLeft, em, TEXT, &name);
         x += width + 0.8 * em;
     }
 }

@@ -26,6 +26,9 @@ const REACH: f32 = 1.5;
 /// Numbers at least as large are as good as infinite, and smaller ones than its inverse as good as 0.
 const LARGEST: f32 = 1e30;
 
+/// How much of a scale the numbers have to take at least for it to stay.
+const TAKEN: f32 = 0.25;
+
 /// What a scale reaches further than it needs, of its width, once it has to: while something is being
 /// moved there are then few scales.
 const ROOM: f32 = 0.25;
@@ -101,18 +104,28 @@ impl Scale {
     /// Whether it tells the numbers of `wanted` apart nearly as well.
     fn will_do_for(&self, wanted: &Self) -> bool {
         let (span, others) = (self.high - self.low, wanted.high - wanted.low);
-        self.low <= wanted.low && wanted.high <= self.high && others >= 0.5 * span
+        self.low <= wanted.low && wanted.high <= self.high && others >= TAKEN * span
     }
 
-    /// With some room where it reaches further than `before`; 0 and 1 stay what they are.
+    /// With some room, so that it does not take much to need `before` again: where it reaches further than
+    /// that, or, as it is much narrower, half of the way there. 0 stays an end, and shares and cosines are
+    /// not beyond ±1.
     fn with_room(&self, before: &Self) -> Self {
-        let room = ROOM * (self.high - self.low);
-        let roomy = |end: f32| match end {
-            end if end.abs() <= 1.0 => (end.abs() + room).min(1.0).copysign(end),
-            end => end + room.copysign(end),
+        let (span, others) = (self.high - self.low, before.high - before.low);
+        let [lower, higher] = [self.low < before.low, self.high > before.high];
+        let room = match lower || higher {
+            true => [lower, higher].map(|further| if further { ROOM * span } else { 0.0 }),
+            false => [0.5 * ((span * others).sqrt() - span); 2],
         };
-        let low = if self.low < before.low.min(0.0) { roomy(self.low) } else { self.low };
-        let high = if self.high > before.high.max(0.0) { roomy(self.high) } else { self.high };
+        let most = if self.low >= -1.0 && self.high <= 1.0 { 1.0 } else { f32::INFINITY };
+        let low = match self.low {
+            low if low < 0.0 => (low - room[0]).max(-most),
+            low => (low - room[0]).max(0.0),
+        };
+        let high = match self.high {
+            high if high > 0.0 => (high + room[1]).min(most),
+            high => (high + room[1]).min(0.0),
+        };
         Self::rounded(low, high)
     }
 

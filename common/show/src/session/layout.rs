@@ -89,17 +89,18 @@ impl Layout {
         };
         let (legend, curve) = (high(legend, Legend::HEIGHT, 0.2), high(curve, Curve::HEIGHT, 0.3));
         let under = legend + curve;
-        // As wide as the picture, under that.
-        let with = |picture: Area, beside: Option<Beside>| {
-            let (upper, lower) =
-                split(Area { top: picture.bottom(), height: under, ..picture }, legend);
+        // Under the picture: the legend as wide as there is room, the curve as wide as the picture.
+        let with = |picture: Area, room: f32, beside: Option<Beside>| {
+            let under = Area { top: picture.bottom(), height: under, ..picture };
+            let (upper, lower) = split(under, legend);
+            let upper = Area { left: 0.0, width: room, ..upper };
             let shown = |area: Area| (area.height > 0.0).then_some(area);
             Self { em, picture, legend: shown(upper), curve: shown(lower), beside }
         };
         if hidden || em < LEAST_TEXT {
             let picture = fit(Area { height: height - under, ..window }, aspect);
             let top = ((height - under - picture.height) / 2.0).floor();
-            return with(Area { top, ..picture }, None);
+            return with(Area { top, ..picture }, width, None);
         }
         let row = Self::ROW * em;
         if width < 0.9 * height {
@@ -109,7 +110,7 @@ impl Layout {
             let (caption, rest) = split(below, 4.5 * row);
             let (upper, controls) = split(rest, if reading { 0.6 * rest.height } else { 0.0 });
             let beside = Beside { caption, controls, reading: reading.then_some(upper) };
-            return with(picture, Some(beside));
+            return with(picture, width, Some(beside));
         }
         let column = (COLUMN * em).min(0.5 * width).floor();
         let most = (height - 3.5 * row - under).max(0.3 * height);
@@ -126,6 +127,6 @@ impl Layout {
             let (reading, controls) = split(column, 0.66 * height);
             Beside { caption: below, controls, reading: Some(reading) }
         };
-        with(picture, Some(beside))
+        with(picture, outer.width, Some(beside))
     }
 }
