@@ -112,8 +112,17 @@ fn help_names_every_flag_and_control_and_writes_nothing() {
         let (output, files) = run(name, &["--help"]);
         let text = String::from_utf8(output.stdout).expect("text");
         let flags = [
-            "--output", "--size", "--camera", "--set", "--samples", "--pixel", "--show", "--range",
-            "--curve", "--what-if", "--compare",
+            "--output",
+            "--size",
+            "--camera",
+            "--set",
+            "--samples",
+            "--pixel",
+            "--show",
+            "--range",
+            "--curve",
+            "--what-if",
+            "--compare",
         ];
         let controls = setup(index).list().into_iter().map(|setting| {
             let Setting { name, control, .. } = setting;

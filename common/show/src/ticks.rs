@@ -16,7 +16,12 @@ pub(crate) fn ticks(range: &Range<f32>, most: f32) -> (Vec<f32>, f32) {
     let step = round_step((range.end - range.start) / most.max(1.0));
     let (first, last) = ((range.start / step - 1e-3).ceil(), (range.end / step + 1e-3).floor());
     let count = (last - first).clamp(0.0, 100.0) as u16;
-    ((0..=count).map(|index| step * (first + f32::from(index))).collect(), step)
+    ((0..=count).map(|index| times(step, first + f32::from(index))).collect(), step)
+}
+
+/// So many round steps: of less than 1 they are shares of a whole number, which rounds but once.
+pub(crate) fn times(step: f32, count: f32) -> f32 {
+    if step < 1.0 { count / (1.0 / step).round() } else { count * step }
 }
 
 /// `number` in one digit more than numbers take that are `step` apart, where it has one.

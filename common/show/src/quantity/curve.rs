@@ -130,7 +130,8 @@ impl Curve {
                 for (number, text) in scale.ticks(plot.height / (1.5 * em)) {
                     let beside = (plot.left + 0.3 * em, at(0, number).1);
                     // The lowest does not reach down to the columns.
-                    let anchor = if number == scale.low { Anchor::BottomLeft } else { Anchor::Left };
+                    let anchor =
+                        if number == scale.low { Anchor::BottomLeft } else { Anchor::Left };
                     canvas.label(beside, anchor, em, TEXT, &text);
                 }
                 for (name, ink) in inks(curves.len()).into_iter().rev() {

@@ -29,9 +29,9 @@ const LARGEST: f32 = 1e30;
 /// How much of a scale the numbers have to take at least for it to stay.
 const TAKEN: f32 = 0.25;
 
-/// What a scale reaches further than it needs, of its width, once it has to: while something is being
-/// moved there are then few scales.
-const ROOM: f32 = 0.25;
+/// What a new scale reaches further than it needs, of its width, where there was one before: while
+/// something is being moved there are then few scales.
+const ROOM: f32 = 0.5;
 
 impl Scale {
     /// From one number to another.
@@ -90,9 +90,9 @@ impl Scale {
         if high <= low {
             return Self::new(0.0, 1.0);
         }
-        let step = ticks::round_step((high - low) / 5.0);
-        let low = (low / step + 1e-3).floor() * step;
-        let high = (high / step - 1e-3).ceil() * step;
+        let step = ticks::round_step((high - low) / 10.0);
+        let low = ticks::times(step, (low / step + 1e-3).floor());
+        let high = ticks::times(step, (high / step - 1e-3).ceil());
         let low = if low > 0.0 && low < 0.25 * high { 0.0 } else { low };
         let high = if high < 0.0 && high > 0.25 * low { 0.0 } else { high };
         match low < 0.0 && high > 0.0 {
@@ -107,26 +107,23 @@ impl Scale {
         self.low <= wanted.low && wanted.high <= self.high && others >= TAKEN * span
     }
 
-    /// With some room, so that it does not take much to need `before` again: where it reaches further than
-    /// that, or, as it is much narrower, half of the way there. 0 stays an end, and shares and cosines are
-    /// not beyond ±1.
+    /// With some room, so that not all that is moved takes another scale again: what `before` does not
+    /// reach is added to it, unless little of that is taken any more. 0 stays an end, and shares and
+    /// cosines are not beyond ±1.
     fn with_room(&self, before: &Self) -> Self {
-        let (span, others) = (self.high - self.low, before.high - before.low);
-        let [lower, higher] = [self.low < before.low, self.high > before.high];
-        let room = match lower || higher {
-            true => [lower, higher].map(|further| if further { ROOM * span } else { 0.0 }),
-            false => [0.5 * ((span * others).sqrt() - span); 2],
+        let room = ROOM * (self.high - self.low);
+        let (low, high) = (self.low.min(before.low), self.high.max(before.high));
+        let (low, high) = match self.high - self.low >= TAKEN * (high - low) {
+            true => (
+                if self.low < before.low { self.low - room } else { low },
+                if self.high > before.high { self.high + room } else { high },
+            ),
+            false => (self.low - room, self.high + room),
         };
         let most = if self.low >= -1.0 && self.high <= 1.0 { 1.0 } else { f32::INFINITY };
-        let low = match self.low {
-            low if low < 0.0 => (low - room[0]).max(-most),
-            low => (low - room[0]).max(0.0),
-        };
-        let high = match self.high {
-            high if high > 0.0 => (high + room[1]).min(most),
-            high => (high + room[1]).min(0.0),
-        };
-        Self::rounded(low, high)
+        let least = if self.low < 0.0 { -most } else { 0.0 };
+        let most = if self.high > 0.0 { most } else { 0.0 };
+        Self::rounded(low.max(least), high.min(most))
     }
 
     /// Whether there are numbers of both signs.
