@@ -58,11 +58,11 @@ fn numbers(kept: Kept) -> Vec<f32> {
 impl Look {
     /// The quantity along the row of `pixel`, if one is shown.
     pub fn curve(&self, pixel: Pixel, step: &dyn Step, camera: &dyn Camera) -> Option<Curve> {
-        let Quantity { line, palette, .. } = self.quantity.as_ref()?;
+        let Quantity { line, map, .. } = self.quantity.as_ref()?;
         let places = pixel.width.min(PLACES);
         let at = |place| Pixel { col: (2 * place + 1) * pixel.width / (2 * places), ..pixel };
         let told = self.told(line, step, camera, (0..places).map(at));
-        if let Map::Words(words) = &palette.map {
+        if let Map::Words(words) = map {
             let ink = |kept: Kept| match kept {
                 Kept::Word(word) => Some(Ink { rgb: word_rgb(words, word), alpha: 255 }),
                 _ => None,
@@ -75,7 +75,7 @@ impl Look {
         let count = told.iter().map(Vec::len).max().unwrap_or(0);
         let curve = |axis| told.iter().map(|numbers| numbers.get(axis).copied()).collect();
         // Of a vector the map has no scale, or that of a point's distance.
-        let scale = palette.map.scale().filter(|_| count == 1);
+        let scale = map.scale().filter(|_| count == 1);
         let scale = scale.unwrap_or_else(|| Scale::of(&told.concat(), None));
         let curves = (0..count).map(curve).collect();
         Some(Curve { pixel, values: Values::Numbers(scale, curves) })

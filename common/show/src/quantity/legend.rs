@@ -2,7 +2,6 @@
 
 use super::Map;
 use super::Quantity;
-use super::STRIPES;
 use super::Scale;
 use super::map::word_rgb;
 use crate::Anchor;
@@ -12,6 +11,7 @@ use crate::Font;
 use crate::Ink;
 use crate::text;
 use crate::translated;
+use canvas::STRIPES;
 use common::Color;
 use common::Kept;
 use common::Vec3;

@@ -1,10 +1,7 @@
 //! Which colour stands for which value.
 
-use std::sync::LazyLock;
-
 use super::Scale;
-use crate::decode;
-use common::Color;
+use canvas::Palette;
 use common::Kept;
 use common::Vec3;
 
@@ -35,21 +32,6 @@ const WORDS: [[u8; 3]; 7] = [
     [204, 121, 167],
     [0, 114, 178],
 ];
-
-/// The light that is encoded as each byte.
-static LIGHT: LazyLock<[f32; 256]> =
-    LazyLock::new(|| std::array::from_fn(|byte| decode(byte as f64 / 255.0) as f32));
-
-/// The byte values of a screen as the light that is encoded as these.
-fn light(rgb: [u8; 3]) -> Color {
-    let table = &*LIGHT;
-    Color::new(table[rgb[0] as usize], table[rgb[1] as usize], table[rgb[2] as usize])
-}
-
-/// A number from 0 to 1 as the light that is encoded as 255 times it.
-fn written(share: Color) -> Color {
-    light(share.clamp(Color::ZERO, Color::ONE).to_array().map(|part| (255.0 * part).round() as u8))
-}
 
 /// A point as how far it is from the eye; others as they are.
 pub(super) fn measured(kept: Kept, eye: Vec3) -> Kept {
@@ -113,45 +95,23 @@ impl Map {
     }
 }
 
-/// The colours of a map, ready to be looked up.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Palette {
-    pub(super) map: Map,
-    scale: Scale,
-    /// Of equal steps from the lowest number to the highest; none where numbers are grey.
-    numbers: Vec<Color>,
-}
-
 /// How many colours tell numbers apart: one is a third of what a screen tells apart.
 const SHADES: usize = 766;
 
-impl Palette {
-    /// The colours of `map`; `grey` as any program gives them to numbers, from black to white.
-    pub(super) fn new(map: Map, grey: bool) -> Self {
-        let scale = map.scale().unwrap_or(Scale::new(0.0, 1.0));
-        let number = |shade: usize| {
-            let part = shade as f32 / (SHADES - 1) as f32;
-            scale.low + part * (scale.high - scale.low)
-        };
-        let shades = if grey || map.scale().is_none() { 0 } else { SHADES };
-        let numbers = (0..shades).map(|shade| light(scale.rgb(number(shade)))).collect();
-        Self { map, scale, numbers }
-    }
-
-    /// The colour of a value, as light.
-    pub(super) fn color(&self, kept: Kept) -> Color {
-        match (&self.map, kept) {
-            (_, Kept::Color(color)) => color,
-            (_, Kept::Direction(d)) => written(0.5 + d.normalize_or_zero() / 2.0),
-            (Map::Words(words), Kept::Word(word)) => light(word_rgb(words, word)),
-            (_, Kept::Number(number)) if !number.is_nan() => {
-                let part = self.scale.part(number);
-                let shade = (part * (SHADES - 1) as f32 + 0.5) as usize;
-                self.numbers.get(shade).copied().unwrap_or_else(|| written(Color::splat(part)))
-            }
-            _ => Color::ZERO,
-        }
-    }
+/// The colours of `map`; `grey` as any program gives them to numbers, from black to white.
+pub(super) fn palette(map: &Map, grey: bool) -> Palette {
+    let scale = map.scale().unwrap_or(Scale::new(0.0, 1.0));
+    let number = |shade: usize| {
+        let part = shade as f32 / (SHADES - 1) as f32;
+        scale.low + part * (scale.high - scale.low)
+    };
+    let count = if grey || map.scale().is_none() { 0 } else { SHADES };
+    let shades: Vec<[u8; 3]> = (0..count).map(|shade| scale.rgb(number(shade))).collect();
+    let words: Vec<(&str, [u8; 3])> = match map {
+        Map::Words(words) => words.iter().map(|word| (*word, word_rgb(words, word))).collect(),
+        _ => Vec::new(),
+    };
+    Palette::new((scale.low, scale.high), &shades, &words)
 }
 
 /// The colour of a word, as a screen shows it.

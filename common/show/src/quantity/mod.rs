@@ -6,6 +6,9 @@ mod lines;
 mod map;
 mod scale;
 
+use canvas::Palette;
+use canvas::Told;
+use canvas::draw_told;
 use common::Answer;
 use common::Camera;
 use common::Color;
@@ -25,8 +28,7 @@ pub use legend::Legend;
 pub use lines::Lines;
 pub use lines::named_lines;
 pub use map::Map;
-use map::Palette;
-use map::measured;
+use map::palette;
 pub use scale::Scale;
 
 /// How a step's picture is looked at: which told line it shows, and which lines are answered otherwise.
@@ -47,14 +49,14 @@ pub struct Quantity {
     pub line: LineName,
     /// Between which numbers its colours tell apart, if not between those that it has.
     pub range: Option<(f32, f32)>,
-    /// The colours.
+    map: Map,
     palette: Palette,
 }
 
 impl Quantity {
     /// Which colour stands for which value.
     pub fn map(&self) -> &Map {
-        &self.palette.map
+        &self.map
     }
 }
 
@@ -98,31 +100,21 @@ impl Look {
     ) {
         let before = self.quantity.take();
         let before = before.filter(|before| before.line == line && before.range == range);
-        let before = before.map(|before| before.palette);
         let (width, height) = SURVEY;
         let pixel = |place| Pixel { col: place % width, row: place / width, width, height };
         let told = self.told(&line, step, camera, (0..width * height).map(pixel));
-        let before_map = before.as_ref().map(|before| before.map.clone());
-        let map = Map::of(told.into_iter().flatten(), eye, before_map);
+        let told = told.into_iter().flatten();
+        let map = Map::of(told, eye, before.as_ref().map(|before| before.map.clone()));
         let map = match range {
             Some((low, high)) => map.with_scale(Scale::new(low, high)),
             None => map,
         };
         let palette = match before {
-            Some(before) if before.map == map => before,
-            _ => Palette::new(map, self.grey),
+            Some(before) if before.map == map => before.palette,
+            _ => palette(&map, self.grey),
         };
-        self.quantity = Some(Quantity { line, range, palette });
+        self.quantity = Some(Quantity { line, range, map, palette });
     }
-}
-
-/// How bright the dark and the light stripes are where a line is not told.
-const STRIPES: [f32; 2] = [0.010, 0.022];
-
-/// What stands where the line is not told: stripes, so that it is no value's colour.
-fn hatch(Pixel { col, row, height, .. }: Pixel) -> Color {
-    let period = (height / 45).max(4);
-    Color::splat(STRIPES[usize::from((col + row) % period >= period / 2)])
 }
 
 impl Step for Looked<'_> {
@@ -135,22 +127,13 @@ impl Step for Looked<'_> {
 
     fn render(&self, camera: &dyn Camera, image: &mut Image<'_>) {
         let Look { quantity, answers, grey } = self.look;
-        let probe = Probe::new(quantity.as_ref().map(|quantity| &quantity.line), answers);
-        for row in image.rows() {
-            for col in 0..image.width() {
-                let pixel = image.pixel(col, row);
-                let light = self.step.probe(camera, pixel, &probe);
-                let color = match quantity {
-                    None => light,
-                    Some(Quantity { palette, .. }) => match probe.take() {
-                        Some(kept) => palette.color(measured(kept, self.eye)),
-                        None if *grey => Color::ZERO,
-                        None => hatch(pixel),
-                    },
-                };
-                image.set(col, row, color);
-            }
-        }
+        let told = quantity.as_ref().map(|Quantity { line, palette, .. }| Told {
+            line,
+            palette,
+            eye: self.eye,
+            striped: !grey,
+        });
+        draw_told(self.step, camera, image, answers, told.as_ref());
     }
 
     fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color {
