@@ -60,10 +60,11 @@ impl Marks {
 
 /// Whether what is told just now is told about one of some names; "" is anything.
 pub(crate) struct Inside<'a> {
-    marks: Marks,
+    /// A bit for the length of each name: what is not as long is called otherwise, and the length alone
+    /// is at hand wherever a scope is begun.
+    lengths: u64,
+    /// How many scopes are open within each other from one on that is called by a name.
     depth: Cell<u32>,
-    /// The depth of the innermost open scope that is called by one of the names, and of no other so.
-    innermost: Cell<u32>,
     /// Each name, and the depth of the outermost open scope that is called so; 0 where none is.
     names: Vec<(&'a str, Cell<u32>)>,
 }
@@ -73,50 +74,60 @@ impl<'a> Inside<'a> {
         // The depth of what is always open; no scope ends there.
         let open = |name: &str| Cell::new(if name.is_empty() { u32::MAX } else { 0 });
         let names: Vec<_> = names.map(|name| (name, open(name))).collect();
-        let marks = Marks::of(names.iter().map(|(name, _)| *name));
-        Self { marks, depth: Cell::new(0), innermost: Cell::new(0), names }
+        let named = names.iter().filter(|(name, _)| !name.is_empty());
+        let lengths = named.fold(0, |lengths, (name, _)| lengths | Self::length(name));
+        Self { lengths, depth: Cell::new(0), names }
+    }
+
+    #[inline(always)]
+    fn length(name: &str) -> u64 {
+        1 << (name.len() & 63)
     }
 
     #[inline(always)]
     pub(crate) fn begin(&self, name: &'static str) {
-        self.depth.set(self.depth.get() + 1);
-        if self.marks.may_have(name) {
-            self.open(name);
+        if self.depth.get() > 0 || self.lengths & Self::length(name) != 0 {
+            self.enter(name);
         }
     }
 
-    #[cold]
-    fn open(&self, name: &str) {
+    #[inline(always)]
+    fn enter(&self, name: &str) {
+        let depth = self.depth.get() + 1;
+        let mut counts = depth > 1;
         for (other, open) in &self.names {
-            if open.get() == 0 && *other == name {
-                open.set(self.depth.get());
-                self.innermost.set(self.depth.get());
+            // Byte by byte, as a call of a function would put all that is computed just now aside.
+            let same = other.len() == name.len() && other.bytes().eq(name.bytes());
+            if open.get() == 0 && same {
+                open.set(depth);
+                counts = true;
             }
+        }
+        if counts {
+            self.depth.set(depth);
         }
     }
 
     #[inline(always)]
     pub(crate) fn end(&self) {
-        if self.innermost.get() == self.depth.get() {
-            self.close();
+        if self.depth.get() > 0 {
+            self.leave();
         }
-        self.depth.set(self.depth.get() - 1);
     }
 
-    #[cold]
-    fn close(&self) {
-        let (depth, mut innermost) = (self.depth.get(), 0);
+    #[inline(always)]
+    fn leave(&self) {
+        let depth = self.depth.get();
         for (_, open) in &self.names {
-            match open.get() {
-                outermost if outermost == depth => open.set(0),
-                u32::MAX => {}
-                outermost => innermost = innermost.max(outermost),
+            if open.get() == depth {
+                open.set(0);
             }
         }
-        self.innermost.set(innermost);
+        self.depth.set(depth - 1);
     }
 
     /// Whether the name at `place` is told about.
+    #[inline(always)]
     pub(crate) fn is(&self, place: usize) -> bool {
         self.names.get(place).is_some_and(|(_, open)| open.get() > 0)
     }

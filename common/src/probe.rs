@@ -73,22 +73,9 @@ impl<'a> Probe<'a> {
     where
         T: Copy + Into<Value> + TryFrom<Value>,
     {
-        if self.marks.may_have(equation) { self.answered(equation, value, kept) } else { value }
-    }
-
-    /// Keeps what is only told, and cannot be answered otherwise.
-    #[inline(always)]
-    fn heed(&self, equation: &'static str, kept: impl FnOnce() -> Kept) {
-        if self.marks.may_have(equation) {
-            self.keep(equation, kept());
+        if !self.marks.may_have(equation) {
+            return value;
         }
-    }
-
-    #[cold]
-    fn answered<T>(&self, equation: &'static str, value: T, kept: impl FnOnce(T) -> Kept) -> T
-    where
-        T: Copy + Into<Value> + TryFrom<Value>,
-    {
         let mut value = value;
         for (place, answer) in self.answers.iter().enumerate() {
             if answer.line.equation == equation && self.inside.is(place + 1) {
@@ -99,7 +86,15 @@ impl<'a> Probe<'a> {
         value
     }
 
-    #[cold]
+    /// Keeps what is only told, and cannot be answered otherwise.
+    #[inline(always)]
+    fn heed(&self, equation: &'static str, kept: impl FnOnce() -> Kept) {
+        if self.marks.may_have(equation) {
+            self.keep(equation, kept());
+        }
+    }
+
+    #[inline(always)]
     fn keep(&self, equation: &'static str, kept: Kept) {
         if let Some(line) = self.keep
             && line.equation == equation
@@ -111,7 +106,7 @@ impl<'a> Probe<'a> {
 }
 
 impl Listener for Probe<'_> {
-    #[inline]
+    #[inline(always)]
     fn line<T>(&self, equation: &'static str, value: T) -> T
     where
         T: Copy + Into<Value> + TryFrom<Value>,
@@ -123,33 +118,33 @@ impl Listener for Probe<'_> {
         })
     }
 
-    #[inline]
+    #[inline(always)]
     fn point(&self, equation: &'static str, at: Vec3) -> Vec3 {
         self.hear(equation, at, Kept::Point)
     }
 
-    #[inline]
+    #[inline(always)]
     fn along(&self, equation: &'static str, _ray: &Ray, t: f32) -> f32 {
         self.hear(equation, t, Kept::Number)
     }
 
-    #[inline]
+    #[inline(always)]
     fn arrow(&self, equation: &'static str, _from: Vec3, direction: Vec3) -> Vec3 {
         self.hear(equation, direction, Kept::Direction)
     }
 
-    #[inline]
+    #[inline(always)]
     fn area(&self, equation: &'static str, _corners: [Vec3; 3], weight: f32) -> f32 {
         self.hear(equation, weight, Kept::Number)
     }
 
-    #[inline]
+    #[inline(always)]
     fn viewing_ray(&self, ray: Ray) -> Ray {
         let origin = self.hear("p", ray.origin, Kept::Point);
         Ray::new(origin, self.hear("d", ray.direction, Kept::Direction))
     }
 
-    #[inline]
+    #[inline(always)]
     fn shadow_ray(
         &self, symbol: &'static str, ray: &Ray, blocker: Option<(&'static str, f32)>,
     ) -> bool {
@@ -158,23 +153,23 @@ impl Listener for Probe<'_> {
         self.hear(symbol, f32::from(blocker.is_none()), Kept::Number) <= 0.0
     }
 
-    #[inline]
+    #[inline(always)]
     fn miss<T>(&self, why: &'static str, condition: &'static str) -> Option<T> {
         self.heed(why, || Kept::Word(condition));
         None
     }
 
-    #[inline]
+    #[inline(always)]
     fn closest(&self, symbol: &'static str, t: f32) -> f32 {
         self.hear(symbol, t, Kept::Number)
     }
 
-    #[inline]
+    #[inline(always)]
     fn term(&self, equation: &'static str, light: Color) -> Color {
         self.hear(equation, light, Kept::Color)
     }
 
-    #[inline]
+    #[inline(always)]
     fn sum(&self, symbol: &'static str, total: Color) -> Color {
         self.hear(symbol, total, Kept::Color)
     }

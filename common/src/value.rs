@@ -14,12 +14,14 @@ pub enum Value {
 }
 
 impl From<f32> for Value {
+    #[inline]
     fn from(number: f32) -> Self {
         Self::Number(number)
     }
 }
 
 impl From<Vec3> for Value {
+    #[inline]
     fn from(vector: Vec3) -> Self {
         Self::Vector(vector)
     }
@@ -28,6 +30,7 @@ impl From<Vec3> for Value {
 impl TryFrom<Value> for f32 {
     type Error = Value;
 
+    #[inline]
     fn try_from(value: Value) -> Result<Self, Value> {
         if let Value::Number(number) = value { Ok(number) } else { Err(value) }
     }
@@ -36,6 +39,7 @@ impl TryFrom<Value> for f32 {
 impl TryFrom<Value> for Vec3 {
     type Error = Value;
 
+    #[inline]
     fn try_from(value: Value) -> Result<Self, Value> {
         if let Value::Vector(vector) = value { Ok(vector) } else { Err(value) }
     }
