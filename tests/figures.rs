@@ -1,5 +1,5 @@
-//! The figures, examples of the steps: their committed pictures in `step*/figures/`, and what they
-//! share with the steps.
+//! The figures, examples of the steps, and the pictures of what a step tells: their committed pictures
+//! in `step*/figures/`, and what they share with the steps.
 //!
 //! `UPDATE_SNAPSHOTS=1 cargo test -p tests --test figures` makes the committed ones anew.
 
@@ -35,6 +35,29 @@ fn names(step: &str, folder: &str) -> Vec<String> {
 fn figures() -> Vec<(&'static str, String)> {
     let of = |step| names(step, "examples").into_iter().map(move |name| (step, name));
     STEPS.into_iter().flat_map(of).collect()
+}
+
+/// The pictures of what a step tells: its name, what it is called, and what the handouts say to type.
+const TOLD: [(&str, &str, &str); 7] = [
+    ("step02_sphere", "discriminant", "--show D"),
+    ("step03_triangle", "weight", "--show α"),
+    ("step04_scene", "depth", "--show t_max"),
+    ("step04_scene", "normals", "--show normal"),
+    ("step06_shadows", "visible", "--show V"),
+    ("step07_specular", "ambient", "--show L_a"),
+    ("step07_specular", "highlights", "--what-if L_a=0 --what-if L_d=0"),
+];
+
+/// All committed pictures: of which step, what it is called, and which program makes it with what.
+fn pictures() -> Vec<(&'static str, String, String, String)> {
+    let figure = |(step, name): (&'static str, String)| {
+        (step, name.clone(), format!("examples/{name}"), "--samples 2".to_owned())
+    };
+    let told = |(step, name, typed): (&'static str, &str, &str)| {
+        // Smaller than in the window, as it is only to be recognised.
+        (step, name.to_owned(), step.to_owned(), format!("{typed} -s 640x360"))
+    };
+    figures().into_iter().map(figure).chain(TOLD.map(told)).collect()
 }
 
 /// Where a test may write `name`.
@@ -75,12 +98,12 @@ fn written(name: &str, options: &str, file: &str) -> RgbImage {
 /// In Portuguese too, where its words make it another picture.
 #[test]
 fn every_figure_is_the_committed_one() {
-    let held: Vec<(&str, String, Option<String>)> = figures()
+    let held: Vec<(&str, String, Option<String>)> = pictures()
         .into_par_iter()
-        .flat_map_iter(|(step, name)| {
+        .flat_map_iter(|(step, name, program, options)| {
             let [english, portuguese] = ["en", "pt"].map(|language| {
-                let options = format!("--samples 2 --language {language}");
-                written(&format!("examples/{name}"), &options, &format!("{name}_{language}.png"))
+                let options = format!("{options} --language {language}");
+                written(&program, &options, &format!("{name}_{language}.png"))
             });
             let own = (portuguese != english).then(|| (in_portuguese(&name), portuguese));
             let hold = move |(name, found): (String, RgbImage)| {
@@ -114,7 +137,14 @@ fn portuguese_handouts_show_portuguese_figures() {
             |file: &str| fs::read_to_string(root().join(step).join(file)).expect("a handout");
         let (english, portuguese) = (read("README.md"), read("README.pt-BR.md"));
         let committed = names(step, "figures");
-        for name in names(step, "examples") {
+        for (_, name, typed) in TOLD.into_iter().filter(|told| told.0 == step) {
+            let command = format!("cargo run -p {step} -- {typed}\n");
+            for handout in [&english, &portuguese] {
+                assert!(handout.contains(&command), "{step}: {name} is made by {command}");
+            }
+        }
+        let all = pictures().into_iter().filter(|(of, ..)| *of == step);
+        for (_, name, ..) in all {
             let shown = |name: &str| format!("(figures/{name}.png)");
             assert!(english.contains(&shown(&name)), "{step}/README.md: {name}");
             let own = in_portuguese(&name);

@@ -4,7 +4,7 @@ use fastrand::Rng;
 use tests::prelude::*;
 
 /// The size of a picture that lines are looked for in.
-const SIZE: (usize, usize) = (320, 180);
+const SIZE: (usize, usize) = (160, 90);
 
 /// How many pixels of it are asked.
 const ASKED: usize = 200;
@@ -25,7 +25,7 @@ fn camera(step: &dyn Step) -> Box<dyn Camera> {
 fn lines(step: &dyn Step) -> Vec<LineName> {
     let mut lines = Lines::default();
     let camera = camera(step);
-    let pixels = (0..SIZE.0 * SIZE.1).step_by(23).map(|place| at(place % SIZE.0, place / SIZE.0));
+    let pixels = (0..SIZE.0 * SIZE.1).step_by(7).map(|place| at(place % SIZE.0, place / SIZE.0));
     pixels.for_each(|pixel| lines.add(&step.explain(&*camera, pixel)));
     lines.all().to_vec()
 }
@@ -293,7 +293,7 @@ fn what_is_no_picture_is_refused_or_shown_for_what_it_is() {
         "k_a=-3",
     ] {
         let setting = if setting == "p=1e9,0,0" { "viewing: p=1e9,0,0" } else { setting };
-        let mut desk = acted(6, &[Act::PinPixel(160, 90), what_if(setting)]);
+        let mut desk = acted(6, &[Act::PinPixel(80, 45), what_if(setting)]);
         drawn(&desk);
         let name = setting.rsplit_once('=').expect("a value").0;
         desk.act(show(name)).expect("it is told");
@@ -336,7 +336,7 @@ fn names_that_mean_no_line_or_several_are_refused_with_those_there_are() {
         (line.equation.clone(), line.of.clone())
     };
     let line = |equation: &str, of: &str| (equation.to_owned(), of.to_owned());
-    let red = [Act::PinPixel(160, 100)];
+    let red = [Act::PinPixel(80, 50)];
     let sphere = "D = a (radius² − q²)";
     assert_eq!(named("red: D", &[]), line(sphere, "red sphere"));
     assert_eq!(named("D", &red), line(sphere, "red sphere"), "the pinned one's");

@@ -2,6 +2,7 @@
 
 use super::Desk;
 use crate::Setting;
+use crate::text;
 
 const CAMERA: &str = "camera";
 
@@ -57,7 +58,7 @@ impl Desk {
             group.settings.sort_by_key(|setting| setting.control.group != own);
         }
         if !what_ifs.is_empty() {
-            let (name, kind, open) = ("what if", None, true);
+            let (name, kind, open) = (text!("what if"), None, true);
             groups.insert(0, Group { name, kind, open, settings: what_ifs });
         }
         groups
