@@ -73,6 +73,18 @@ pub fn setup(index: usize) -> Setup {
     Setup::new(make(index))
 }
 
+/// A desk with all steps, at the one of this index, whose pictures are so large; it speaks English.
+pub fn desk(index: usize, picture: Size) -> Desk {
+    Language::English.speak();
+    let program = |index| Program::new(STEPS[index], "a concept", picture, make(index));
+    Desk::new((0..STEPS.len()).map(program).collect(), index)
+}
+
+/// Does on the desk what cannot be refused.
+pub fn act(desk: &mut Desk, act: Act) {
+    desk.act(act.clone()).unwrap_or_else(|refusal| panic!("{act:?}: {refusal}"));
+}
+
 /// The pictures that `desk` shows, of this size.
 pub fn pictures_of(desk: &Desk, size: Size) -> Vec<RgbImage> {
     let render = |wanted: &Wanted<'_>| {

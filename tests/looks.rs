@@ -12,17 +12,6 @@ fn size() -> Size {
     Size::new(SIZE.0, SIZE.1).expect("a size")
 }
 
-/// A desk with all steps, at the one of this index.
-fn desk(index: usize, picture: Size) -> Desk {
-    Language::English.speak();
-    let program = |index| Program::new(STEPS[index], "a concept", picture, make(index));
-    Desk::new((0..STEPS.len()).map(program).collect(), index)
-}
-
-fn act(desk: &mut Desk, act: Act) {
-    desk.act(act.clone()).unwrap_or_else(|refusal| panic!("{act:?}: {refusal}"));
-}
-
 fn showing(index: usize, name: &str) -> Desk {
     let mut desk = desk(index, size());
     act(&mut desk, Act::ShowNamed(name.to_owned()));

@@ -63,16 +63,12 @@ fn own_answer(step: &dyn Step, pixel: Pixel, line: &LineName) -> Option<Answer> 
 
 /// A desk with the steps, at the one of this index.
 fn desk(index: usize) -> Desk {
-    let program = |index| Program::new(STEPS[index], "a concept", size(), make(index));
-    Language::English.speak();
-    Desk::new((0..STEPS.len()).map(program).collect(), index)
+    tests::desk(index, size())
 }
 
 fn acted(index: usize, acts: &[Act]) -> Desk {
     let mut desk = desk(index);
-    for act in acts {
-        desk.act(act.clone()).unwrap_or_else(|refusal| panic!("{act:?}: {refusal}"));
-    }
+    acts.iter().for_each(|one| act(&mut desk, one.clone()));
     desk
 }
 
@@ -143,7 +139,7 @@ fn add_values(scope: &Scope, around: &Scope, values: &mut Vec<(LineName, Option<
 #[test]
 fn a_line_that_is_the_same_everywhere_changes_nothing_when_it_is_answered_so() {
     let mut constant = 0;
-    for index in 0..STEPS.len() {
+    for (index, name) in STEPS.into_iter().enumerate() {
         let step = step(index);
         let (camera, eye) = (camera(&*step), step.view().eye());
         let mut values = Vec::new();
@@ -161,7 +157,7 @@ fn a_line_that_is_the_same_everywhere_changes_nothing_when_it_is_answered_so() {
             let look = Look { answers, ..Look::default() };
             let looked = Looked { step: &*step, look: &look, eye };
             let frame = Frame { step: &looked, camera: &*camera, size: size(), samples: 1 };
-            assert!(frame.render() == plain, "{}: {look:?} changes the picture", STEPS[index]);
+            assert!(frame.render() == plain, "{name}: {look:?} changes the picture");
         }
     }
     say(&format!("{constant} lines have one value in all pixels"));
