@@ -27,6 +27,7 @@ pub(crate) fn times(step: f32, count: f32) -> f32 {
 /// `number` in one digit more than numbers take that are `step` apart, where it has one.
 pub(crate) fn short(number: f32, step: f32) -> String {
     let size = if number == 0.0 { step } else { number.abs() };
+    let step = step.min(size);
     let digit = |number: f32| number.log10().floor() as i32;
     let text = match (1e-3..1e5).contains(&size) {
         true => {

@@ -92,17 +92,21 @@ impl Curve {
         let plot = Area { top: area.top + 0.7 * em, height: area.height - 2.1 * em, ..area };
         let x = |col: f32| plot.left + (col + 0.5) / width * plot.width;
         let (columns, step) = ticks::ticks(&(0.0..width - 1.0), plot.width / (4.5 * em));
+        let row = text!("row {row}", row = self.pixel.row);
+        let below = plot.bottom() + 0.15 * em;
+        let mut right = plot.right();
+        canvas.text((right, below), Anchor::TopRight, em, TEXT, &row);
+        right -= Font::width(em, &row) + em;
         for column in columns.into_iter().filter(|column| column.fract() == 0.0) {
             let (text, at) = (ticks::short(column, step), x(column));
             canvas.line((at, plot.top), (at, plot.bottom()), 1.0, GRID);
-            let beside = at - 0.5 * Font::width(em, &text);
-            let last = (plot.right() - Font::width(em, &text)).max(plot.left);
-            let below = (beside.clamp(plot.left, last), plot.bottom() + 0.15 * em);
-            canvas.text(below, Anchor::TopLeft, em, TEXT, &text);
+            let width = Font::width(em, &text);
+            let left = (at - 0.5 * width).max(plot.left);
+            if left + width <= right {
+                canvas.text((left, below), Anchor::TopLeft, em, TEXT, &text);
+            }
         }
         let pinned = x(self.pixel.col as f32);
-        let mut right = (plot.right() - 0.3 * em, plot.top);
-        let row = text!("along row {row}", row = self.pixel.row);
         match &self.values {
             Values::Numbers(scale, curves) => {
                 let places = curves.first().map_or(1, Vec::len) as f32;
@@ -112,7 +116,7 @@ impl Curve {
                     let across = (place as f32 + 0.5) / places;
                     (plot.left + across * plot.width, plot.bottom() - up * plot.height)
                 };
-                for (number, _) in scale.ticks(plot.height / (1.5 * em)) {
+                for (number, _) in scale.even_ticks(plot.height / (1.5 * em)) {
                     let y = at(0, number).1;
                     canvas.line((plot.left, y), (plot.right(), y), 1.0, GRID);
                 }
@@ -127,16 +131,16 @@ impl Curve {
                         canvas.disc(at, 0.2 * em, ink);
                     }
                 }
-                for (number, text) in scale.ticks(plot.height / (1.5 * em)) {
+                for (number, text) in scale.even_ticks(plot.height / (1.5 * em)) {
                     let beside = (plot.left + 0.3 * em, at(0, number).1);
                     // The lowest does not reach down to the columns.
                     let anchor =
                         if number == scale.low { Anchor::BottomLeft } else { Anchor::Left };
                     canvas.label(beside, anchor, em, TEXT, &text);
                 }
-                for (name, ink) in inks(curves.len()).into_iter().rev() {
-                    canvas.label(right, Anchor::TopRight, em, ink, name);
-                    right.0 -= Font::width(em, name) + if name.is_empty() { 0.0 } else { 0.5 * em };
+                for (place, (name, ink)) in inks(curves.len()).into_iter().enumerate() {
+                    let at = (plot.right() - (2.4 - place as f32) * em, plot.top + 0.2 * em);
+                    canvas.label(at, Anchor::TopLeft, em, ink, name);
                 }
             }
             Values::Words(inks) => {
@@ -153,13 +157,12 @@ impl Curve {
                 canvas.line((pinned, plot.top), (pinned, plot.bottom()), 0.08 * em, PINNED);
             }
         }
-        canvas.label(right, Anchor::TopRight, em, TEXT, &row);
     }
 }
 
 /// What is drawn of so many numbers, and in which colour: one alone needs no name.
 fn inks(count: usize) -> Vec<(&'static str, Ink)> {
-    if count == 1 { vec![("", Ink::WHITE)] } else { AXES.to_vec() }
+    if count == AXES.len() { AXES.to_vec() } else { vec![("", Ink::WHITE)] }
 }
 
 /// A line through the numbers of neighbours, and a dot where one has none.

@@ -102,11 +102,10 @@ impl Legend<'_> {
 
     fn draw_scale(&self, canvas: &mut Canvas<'_>, area: Area, em: f32, scale: &Scale) {
         let bar = Area::new(area.left + 1.5 * em, area.top, area.width - 3.0 * em, 0.9 * em);
-        let number = |part: f32| scale.low + part * (scale.high - scale.low);
         for piece in 0..PIECES {
             let from = (bar.left + f32::from(piece) / f32::from(PIECES) * bar.width).round();
             let to = (bar.left + f32::from(piece + 1) / f32::from(PIECES) * bar.width).round();
-            let [r, g, b] = scale.rgb(number((f32::from(piece) + 0.5) / f32::from(PIECES)));
+            let [r, g, b] = scale.rgb(scale.number((f32::from(piece) + 0.5) / f32::from(PIECES)));
             canvas.fill(Area::new(from, bar.top, to - from, bar.height), Ink::new(r, g, b));
         }
         canvas.border(bar, 1.0, FAINT);

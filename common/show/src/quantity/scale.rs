@@ -33,6 +33,15 @@ const TAKEN: f32 = 0.25;
 /// something is being moved there are then few scales.
 const ROOM: f32 = 0.5;
 
+/// How many times further a scale reaches on one side of 0 than on the other at most.
+const FURTHER: f32 = 8.0;
+
+/// The least round number that is not below `number`.
+fn rounded_up(number: f32) -> f32 {
+    let step = ticks::round_step(number / 10.0);
+    ticks::times(step, (number / step - 1e-3).ceil())
+}
+
 impl Scale {
     /// From one number to another.
     pub fn new(low: f32, high: f32) -> Self {
@@ -43,7 +52,7 @@ impl Scale {
     ///
     /// Shares and cosines, none beyond ±1, are seen from the lowest to the highest. Of others a few at
     /// either end, or far from the middle half, may be beyond the scale. It goes in round steps, begins
-    /// at 0 where it nearly would, and with both signs it reaches as far below 0 as above.
+    /// at 0 where it nearly would, and where both signs are worth it, it reaches as far below 0 as above.
     pub(super) fn of(numbers: &[f32], before: Option<Self>) -> Self {
         let wanted = Self::wanted(numbers);
         let Self { low, high, .. } = match before {
@@ -90,15 +99,21 @@ impl Scale {
         if high <= low {
             return Self::new(0.0, 1.0);
         }
+        if low < 0.0 && high > 0.0 {
+            // As far below 0 as above, unless one of them is hardly there: its colours are told apart too.
+            let other = size / FURTHER;
+            return match high / -low {
+                ratio if ratio < 0.3 => Self::new(-rounded_up(-low), rounded_up(high.max(other))),
+                ratio if ratio > 3.0 => Self::new(-rounded_up(other.max(-low)), rounded_up(high)),
+                _ => Self::new(-rounded_up(size), rounded_up(size)),
+            };
+        }
         let step = ticks::round_step((high - low) / 10.0);
         let low = ticks::times(step, (low / step + 1e-3).floor());
         let high = ticks::times(step, (high / step - 1e-3).ceil());
         let low = if low > 0.0 && low < 0.25 * high { 0.0 } else { low };
         let high = if high < 0.0 && high > 0.25 * low { 0.0 } else { high };
-        match low < 0.0 && high > 0.0 {
-            true => Self::new(-high.max(-low), high.max(-low)),
-            false => Self::new(low, high),
-        }
+        Self::new(low, high)
     }
 
     /// Whether it tells the numbers of `wanted` apart nearly as well.
@@ -131,28 +146,53 @@ impl Scale {
         self.low < 0.0 && self.high > 0.0
     }
 
-    /// Where `number` is between the lowest, 0, and the highest, 1; beyond them at the end.
+    /// Where `number` is between the lowest, 0, and the highest, 1, beyond them at the end: in the middle
+    /// where it is 0 and there are numbers of both signs.
     pub fn part(&self, number: f32) -> f32 {
-        ((number - self.low) / (self.high - self.low)).clamp(0.0, 1.0)
+        let part = match number {
+            number if !self.is_signed() => (number - self.low) / (self.high - self.low),
+            number if number < 0.0 => 0.5 - 0.5 * number / self.low,
+            number => 0.5 + 0.5 * number / self.high,
+        };
+        part.clamp(0.0, 1.0)
+    }
+
+    /// The number that is there.
+    pub fn number(&self, part: f32) -> f32 {
+        match part {
+            part if !self.is_signed() => self.low + part * (self.high - self.low),
+            part if part < 0.5 => (1.0 - 2.0 * part) * self.low,
+            part => (2.0 * part - 1.0) * self.high,
+        }
     }
 
     /// The colour of `number`, as a screen shows it.
     pub fn rgb(&self, number: f32) -> [u8; 3] {
-        let number = number.clamp(self.low, self.high);
+        let part = f64::from(self.part(number));
         let colorous::Color { r, g, b } = match self.is_signed() {
             // Orange above 0, purple below.
-            true => {
-                let part = 0.5 + 0.5 * number / self.high.max(-self.low);
-                colorous::PURPLE_ORANGE.eval_continuous(part.into())
-            }
-            false => colorous::VIRIDIS.eval_continuous(self.part(number).into()),
+            true => colorous::PURPLE_ORANGE.eval_continuous(part),
+            false => colorous::VIRIDIS.eval_continuous(part),
         };
         [r, g, b]
     }
 
-    /// The lowest and the highest number, and round ones between that are not close to them, about `most`
-    /// of them, each as it is written.
+    /// The ends, 0 where it is between, and round numbers between these that are not close to them, about
+    /// `most` of them where [parts](Self::part) are equally long; each as it is written.
     pub fn ticks(&self, most: f32) -> Vec<(f32, String)> {
+        match self.is_signed() {
+            true => {
+                let below = Self { high: 0.0, above: false, ..*self }.even_ticks(0.5 * most);
+                let above = Self { low: 0.0, below: false, ..*self }.even_ticks(0.5 * most);
+                below.into_iter().chain(above.into_iter().skip(1)).collect()
+            }
+            false => self.even_ticks(most),
+        }
+    }
+
+    /// The ends, and round numbers between that are not close to them, about `most` of them, each as it is
+    /// written.
+    pub fn even_ticks(&self, most: f32) -> Vec<(f32, String)> {
         let (mut ticks, step) = ticks::ticks(&(self.low..self.high), most);
         let inner = self.low + 0.6 * step..self.high - 0.6 * step;
         ticks.retain(|tick| inner.contains(tick));
