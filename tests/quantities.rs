@@ -188,7 +188,7 @@ fn a_line_answered_as_it_is_at_a_pixel_changes_nothing_there() {
 #[test]
 fn v_is_1_without_shadows() {
     for index in [5, 6] {
-        let unblocked = drawn(&acted(index, &[what_if("V=1")]));
+        let unblocked = drawn(&acted(index, &[what_if("'V=1'")]));
         assert!(unblocked == drawn(&acted(index, &[set("epsilon", "1")])), "{}", STEPS[index]);
         assert!(unblocked != drawn(&desk(index)), "{}", STEPS[index]);
         let key = drawn(&acted(index, &[what_if("key: V=1")]));
@@ -342,6 +342,11 @@ fn names_that_mean_no_line_or_several_are_refused_with_those_there_are() {
     assert_eq!(named(": normal", &red), line("normal", ""));
     assert_eq!(named("n·l", &[]), line("n·l", "key light"), "of lights the first");
     assert_eq!(named("fill:n·l", &[]), line("n·l", "fill light"));
+    assert_eq!(
+        named("'fill: n·l'", &[]),
+        line("n·l", "fill light"),
+        "as a Windows shell leaves it"
+    );
     assert_eq!(named("v", &[]), line("v", "key light"), "of two the one that is called so alone");
     assert_eq!(named("viewing ray: v", &[]), line("v = 1 − (row + ½) / height", "viewing ray"));
     let mut figure = figure();

@@ -65,17 +65,24 @@ pub(crate) struct Inside<'a> {
     lengths: u64,
     /// How many scopes are open within each other from one on that is called by a name.
     depth: Cell<u32>,
-    /// Each name, and the depth of the outermost open scope that is called so; 0 where none is.
-    names: Vec<(&'a str, Cell<u32>)>,
+    names: Vec<Name<'a>>,
+}
+
+/// A name, and the depth of the outermost open scope that is called so; 0 where none is. As large as what
+/// two cores never share: else each would wait for the other's.
+#[repr(align(128))]
+struct Name<'a> {
+    name: &'a str,
+    open: Cell<u32>,
 }
 
 impl<'a> Inside<'a> {
     pub(crate) fn new(names: impl Iterator<Item = &'a str>) -> Self {
         // The depth of what is always open; no scope ends there.
         let open = |name: &str| Cell::new(if name.is_empty() { u32::MAX } else { 0 });
-        let names: Vec<_> = names.map(|name| (name, open(name))).collect();
-        let named = names.iter().filter(|(name, _)| !name.is_empty());
-        let lengths = named.fold(0, |lengths, (name, _)| lengths | Self::length(name));
+        let names: Vec<_> = names.map(|name| Name { name, open: open(name) }).collect();
+        let named = names.iter().filter(|name| !name.name.is_empty());
+        let lengths = named.fold(0, |lengths, name| lengths | Self::length(name.name));
         Self { lengths, depth: Cell::new(0), names }
     }
 
@@ -95,7 +102,7 @@ impl<'a> Inside<'a> {
     fn enter(&self, name: &str) {
         let depth = self.depth.get() + 1;
         let mut counts = depth > 1;
-        for (other, open) in &self.names {
+        for Name { name: other, open } in &self.names {
             // Byte by byte, as a call of a function would put all that is computed just now aside.
             let same = other.len() == name.len() && other.bytes().eq(name.bytes());
             if open.get() == 0 && same {
@@ -118,7 +125,7 @@ impl<'a> Inside<'a> {
     #[inline(always)]
     fn leave(&self) {
         let depth = self.depth.get();
-        for (_, open) in &self.names {
+        for Name { open, .. } in &self.names {
             if open.get() == depth {
                 open.set(0);
             }
@@ -129,6 +136,6 @@ impl<'a> Inside<'a> {
     /// Whether the name at `place` is told about.
     #[inline(always)]
     pub(crate) fn is(&self, place: usize) -> bool {
-        self.names.get(place).is_some_and(|(_, open)| open.get() > 0)
+        self.names.get(place).is_some_and(|name| name.open.get() > 0)
     }
 }

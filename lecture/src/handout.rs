@@ -241,7 +241,8 @@ fn address(code: &str) -> Option<String> {
         match flag {
             "--set" => write!(address, "&amp;{}", escape(words.next()?)).ok()?,
             "--outside" => address.push_str("&amp;outside=on"),
-            "--camera" | "--pixel" | "--size" => {
+            "--curve" => address.push_str("&amp;curve=on"),
+            "--camera" | "--pixel" | "--size" | "--show" | "--range" | "--what-if" => {
                 write!(address, "&amp;{}={}", &flag[2..], escape(words.next()?)).ok()?;
             }
             _ => return None,

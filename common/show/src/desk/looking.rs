@@ -27,6 +27,11 @@ const SURVEY: (usize, usize) = (24, 14);
 /// From here on numbers are as good as infinite.
 const LARGEST: f32 = 1e30;
 
+/// What is typed between quotes, which not every shell takes away.
+fn unquoted(typed: &str) -> &str {
+    typed.strip_prefix('\'').and_then(|rest| rest.strip_suffix('\'')).unwrap_or(typed)
+}
+
 impl Desk {
     /// What is told of pixels all over the picture, of the pinned one first.
     fn surveyed(&self) -> impl Iterator<Item = Explanation> {
@@ -125,7 +130,7 @@ impl Desk {
 
     pub(super) fn show_named(&mut self, name: &str) -> Result<(), Refusal> {
         self.refuse_figures()?;
-        let line = self.line_named(name, &self.lines())?;
+        let line = self.line_named(unquoted(name), &self.lines())?;
         self.look_at(line, None);
         Ok(())
     }
@@ -225,7 +230,7 @@ impl Desk {
     /// Answers a line as `setting` says, such as `V=1` or `key light: n·l=0.5`.
     pub(super) fn answer(&mut self, setting: &str) -> Result<(), Refusal> {
         self.refuse_figures()?;
-        let (name, value) = setting.rsplit_once('=').ok_or_else(|| {
+        let (name, value) = unquoted(setting).rsplit_once('=').ok_or_else(|| {
             text!("--what-if takes LINE=VALUE, and '{setting}' has no '='", setting)
         })?;
         let mut line = self.line_named(name, &self.lines())?;

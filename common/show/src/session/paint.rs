@@ -141,16 +141,20 @@ impl Session {
             return;
         }
         let mut top = draw_text(&mut canvas, area, 1.2 * em, ACCENT, name) + 0.2 * em;
+        let hint = text!("click a pixel to see its equations · F1 all keys");
+        let (last, last_ink) = said.map_or((hint, FAINT), |said| (said, TEXT));
+        let high = |text: &str| row * Font::wrap(em, text, area.width).len() as f32;
+        let rest = 0.5 * em + high(last);
         let altered = altered.unwrap_or_default();
         for (text, ink) in [(altered, ALTERED), (concept, TEXT), (*slides, FAINT)] {
-            if !text.is_empty() {
+            // What is answered otherwise is said in any case, and the rest as far as there is room.
+            let fits = top + high(text) + rest <= area.bottom() || text == altered;
+            if !text.is_empty() && fits {
                 top = draw_text(&mut canvas, Area { top, ..area }, em, ink, text);
             }
         }
         top += 0.5 * em;
-        let hint = text!("click a pixel to see its equations · F1 all keys");
-        let (text, ink) = said.map_or((hint, FAINT), |said| (said, TEXT));
-        let bottom = draw_text(&mut canvas, Area { top, ..area }, em, ink, text);
+        let bottom = draw_text(&mut canvas, Area { top, ..area }, em, last_ink, last);
         if bottom + row <= area.bottom() {
             let at = area.at(Anchor::BottomLeft);
             canvas.text_within(at, Anchor::BottomLeft, em, FAINT, status, area.width);
