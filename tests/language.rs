@@ -9,6 +9,7 @@ use std::sync::LazyLock;
 use std::sync::Mutex;
 
 use tempfile::tempdir;
+use tests::files_below;
 use tests::prelude::*;
 
 /// The string literals of Rust source before its unit tests, each with what stands before it.
@@ -132,8 +133,9 @@ fn texts() -> BTreeSet<String> {
 /// The texts of the web page's own: what its script asks for, and what stands in its HTML.
 fn texts_of_the_page() -> Vec<String> {
     let mut texts = Vec::new();
-    for file in ["page/index.html", "page/page.js", "src/html.rs"] {
-        let source = fs::read_to_string(root().join("lecture").join(file)).expect("text");
+    let folder = root().join("lecture");
+    for file in [files_below(&folder.join("page")), vec![folder.join("src/html.rs")]].concat() {
+        let source = fs::read_to_string(file).expect("text");
         let source = source.replace("\\\"", "\"");
         for mark in ["data-text=\"", "data-name=\"", "text(\""] {
             let is_word = |at: usize| source[..at].ends_with(|letter: char| letter.is_alphabetic());
