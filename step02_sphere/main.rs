@@ -1,6 +1,8 @@
 //! Shows this step in a window, or writes it to a file.
 use std::process::ExitCode;
 
+use step02_sphere::Lesson;
+
 fn main() -> ExitCode {
-    show::main::<step02_sphere::Lesson>(env!("CARGO_PKG_NAME"), env!("CARGO_PKG_DESCRIPTION"))
+    exercises::main::<Lesson>(env!("CARGO_PKG_NAME"), env!("CARGO_PKG_DESCRIPTION"))
 }

@@ -8,10 +8,11 @@ use std::path::Path;
 use std::path::PathBuf;
 use std::process::Command;
 use std::process::Output;
+use std::sync::LazyLock;
+use std::sync::Mutex;
+use std::sync::MutexGuard;
+use std::sync::PoisonError;
 
-use image::imageops;
-use rayon::iter::IntoParallelRefIterator;
-use rayon::iter::ParallelIterator;
 use solutions::Change;
 use solutions::RIGHT;
 use solutions::WRONG;
@@ -23,6 +24,12 @@ struct Copy {
     root: PathBuf,
     /// The programs as they are before anything is changed.
     programs: PathBuf,
+}
+
+/// The one copy, for one test at a time.
+fn copy() -> MutexGuard<'static, Copy> {
+    static COPY: LazyLock<Mutex<Copy>> = LazyLock::new(|| Mutex::new(Copy::new()));
+    COPY.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl Copy {
@@ -66,8 +73,13 @@ impl Copy {
     }
 
     /// Puts the source of `step`, from 1 on, with `changes` into the package of its exercise, and
-    /// gives what `--check` says of it there.
+    /// gives what `--check` says of it.
     fn check(&self, step: usize, changes: &[Change]) -> Output {
+        self.with(step, changes, |mut check| check.output().expect("it runs"))
+    }
+
+    /// The same, for whatever `run` does with the check.
+    fn with<T>(&self, step: usize, changes: &[Change], run: impl FnOnce(Command) -> T) -> T {
         let (reached, package) = (STEPS[step - 1], STEPS[step.saturating_sub(2)]);
         let source = self.root.join(package).join("src");
         fs::remove_dir_all(&source).expect("it was copied");
@@ -89,10 +101,11 @@ impl Copy {
         };
         check.env("CARGO", env!("CARGO")).env("CARGO_NET_OFFLINE", "true");
         check.env("CARGO_TARGET_DIR", self.target());
-        let checked = check.current_dir(&self.programs).args(["--check", package]).output();
+        check.current_dir(&self.root).args(["--check", package]);
+        let done = run(check);
         fs::remove_dir_all(&source).expect("it was copied");
         copy_folder(&root().join(package).join("src"), &source);
-        checked.expect("it runs")
+        done
     }
 }
 
@@ -104,133 +117,10 @@ fn copy_folder(from: &Path, to: &Path) {
     }
 }
 
-/// What is said of `found` where step `index` was expected, as it starts.
-fn said_of(index: usize, found: &RgbImage) -> Vec<&'static str> {
-    let (width, height) = found.dimensions();
-    let size = Size::new(width as usize, height as usize).expect("a size");
-    let step = step(index);
-    let camera = step.view().camera(size.aspect());
-    let frame = Frame { step: &*step, camera: &*camera, size, samples: 1 };
-    let expected = frame.render();
-    let named = Mistake::named(&[Pair { frame, expected: &expected, found }]);
-    named.iter().map(|mistake| mistake.what).collect()
-}
-
-/// The lecture's last picture.
-fn last_picture() -> RgbImage {
-    picture(&*step(6), &step(6).view(), 240, 135)
-}
-
-/// It with each channel changed.
-fn changed(change: impl Fn(f32) -> f32) -> RgbImage {
-    let mut picture = last_picture();
-    picture.iter_mut().for_each(|code| {
-        let dark = f32::from(*code) / 255.0 / 12.92;
-        let bright = ((f32::from(*code) / 255.0 + 0.055) / 1.055).powf(2.4);
-        let linear = if *code <= 10 { dark } else { bright };
-        *code = (255.0 * change(linear)).round() as u8;
-    });
-    picture
-}
-
-#[test]
-fn pictures_turned_or_encoded_otherwise_are_recognized() {
-    let picture = last_picture();
-    let mut swapped = picture.clone();
-    swapped.pixels_mut().for_each(|pixel| pixel.0.swap(0, 2));
-    // A mistake is named although some pixels are off for another reason.
-    let mut flipped = imageops::flip_vertical(&picture);
-    imageops::replace(&mut flipped, &RgbImage::new(15, 12), 10, 20);
-    for (found, said) in [
-        (flipped, "The picture is upside down: v = 1 − (row + ½)/height"),
-        (imageops::flip_horizontal(&picture), "The picture is mirrored: u = (col + ½)/width"),
-        (
-            imageops::rotate180(&picture),
-            "The picture is turned by 180°: u grows to the right, v upwards",
-        ),
-        (changed(|linear| linear), "The picture is not sRGB-encoded"),
-        (changed(f32::sqrt), "The picture is encoded by a square root, not as sRGB"),
-        (
-            changed(|linear| linear.powf(1.0 / 2.2)),
-            "The picture is encoded by the power 1/2.2, not as sRGB",
-        ),
-        (swapped, "Red and blue are exchanged"),
-    ] {
-        assert_eq!(said_of(6, &found), [said]);
-    }
-}
-
-#[test]
-fn nothing_is_said_of_what_no_mistake_explains() {
-    let mut striped = last_picture();
-    striped.pixels_mut().skip(9000).take(5000).for_each(|pixel| pixel.0[0] ^= 8);
-    let mut chance = fastrand::Rng::with_seed(16);
-    let mut noise = last_picture();
-    noise.iter_mut().for_each(|code| *code = chance.u8(..));
-    for found in [striped, last_picture(), noise] {
-        assert_eq!(said_of(6, &found), Vec::<&str>::new());
-    }
-}
-
-#[test]
-fn each_mistake_is_told_from_all_others() {
-    let views =
-        ["", "camera=parallel", "azimuth=60", "elevation=-20", "distance=0.1", "center.x=0.9"];
-    let mut unnamed: Vec<&str> = Mistake::ALL.iter().map(|mistake| mistake.what).collect();
-    unnamed.dedup();
-    for (index, name) in STEPS.iter().enumerate() {
-        let size = Size::new(32, 18).expect("a size");
-        let setups = views.map(|view| {
-            let mut setup = setup(index);
-            if let Some((control, value)) = view.split_once('=') {
-                // Only some steps have a centre.
-                let _ = setup.set(control, value);
-            }
-            setup
-        });
-        let cameras = setups.each_ref().map(|setup| setup.view().camera(size.aspect()));
-        let frames = setups.iter().zip(&cameras).map(|(setup, camera)| {
-            let frame = Frame { step: setup.step(), camera: &**camera, size, samples: 1 };
-            (frame, frame.render())
-        });
-        let frames: Vec<(Frame<'_>, RgbImage)> = frames.collect();
-        // In the first step that shows it is enough.
-        let known = Mistake::ALL.par_iter().filter(|mistake| unnamed.contains(&mistake.what));
-        let said: Vec<Vec<&str>> = known
-            .map(|mistake| {
-                let found = frames.iter().map(|(frame, _)| {
-                    RgbImage::from_fn(32, 18, |col, row| Rgb(mistake.pixel(frame, col, row)))
-                });
-                let found: Vec<RgbImage> = found.collect();
-                let pairs = frames.iter().zip(&found);
-                let pairs: Vec<Pair<'_>> = pairs
-                    .map(|((frame, expected), found)| Pair { frame: *frame, expected, found })
-                    .collect();
-                let named = Mistake::named(&pairs);
-                let said: Vec<&str> = named.iter().map(|named| named.what).collect();
-                let is_it = said.is_empty() || said.contains(&mistake.what);
-                assert!(is_it, "{name}: {}: {said:?}", mistake.what);
-                said
-            })
-            .collect();
-        unnamed.retain(|what| !said.iter().any(|said| said.contains(what)));
-    }
-    // A step to come may tell more of them.
-    unnamed.retain(|what| !UNNAMED.contains(what));
-    assert!(unnamed.is_empty(), "no step tells these from all others: {unnamed:?}");
-}
-
-/// Mistakes that what the steps show at first does not tell from others, or not at all.
-const UNNAMED: [&str; 3] = [
-    "The shadow ray does not end at the light (t = 1): what is behind the light blocks it",
-    "The ambient term is k_a alone, without I_a",
-    "A light behind the surface has a highlight too: ask for n·l > 0",
-];
-
 #[test]
 #[ignore = "builds all steps and some eighty solutions: minutes"]
 fn right_solutions_are_accepted_and_wrong_ones_refused_by_name() {
-    let copy = Copy::new();
+    let copy = copy();
     let mut wrong: Vec<String> = Vec::new();
     let mut judge = |step, changes, code: i32, begin: &str| {
         let output = copy.check(step, changes);
@@ -263,6 +153,101 @@ fn right_solutions_are_accepted_and_wrong_ones_refused_by_name() {
         judge(*step, changes, 1, named);
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// What each ray of a solution does before it is traced.
+const fn before_each_ray(line: &'static str) -> Change {
+    ("render.rs", "let color = trace(&ray);", line)
+}
+
+#[test]
+#[ignore = "builds all steps and some solutions: minutes"]
+fn programs_that_crash_or_flood_are_ended_and_what_they_say_is_shown() {
+    let copy = copy();
+    let [said, flooded, panicked] = [
+        "println!(\"{ray:?}\"); let color = trace(&ray);",
+        "eprintln!(\"{ray:?}\"); let color = trace(&ray);",
+        "eprintln!(\"{ray:?}\"); assert!(row < 100, \"too far down\"); let color = trace(&ray);",
+    ];
+    for line in [said, flooded] {
+        let output = copy.check(2, &[before_each_ray(line)]);
+        let text = String::from_utf8_lossy(&output.stdout);
+        assert!(text.starts_with("done: step01_rays draws all "), "{line}: {text}");
+        assert_eq!((output.status.code(), &output.stderr[..]), (Some(0), &[][..]), "{line}");
+    }
+    let output = copy.check(2, &[before_each_ray(panicked)]);
+    let text = String::from_utf8_lossy(&output.stderr);
+    let last = text.lines().last().expect("a line");
+    assert!(text.contains("render.rs:") && text.contains("too far down"), "{text}");
+    assert!(last.starts_with("error: step01_rays stops at --size 320x180"), "{text}");
+    assert!(last.ends_with(": what it says of that stands above"), "{text}");
+    assert!(text.lines().count() < 30, "floods: {text}");
+    assert_eq!((output.status.code(), &output.stdout[..]), (Some(1), &[][..]), "{text}");
+}
+
+#[cfg(unix)]
+#[test]
+#[ignore = "builds all steps and a solution: minutes"]
+fn a_program_that_never_ends_is_said_to_compute_and_ends_on_ctrl_c() {
+    use std::io::BufRead;
+    use std::io::BufReader;
+    use std::os::unix::process::CommandExt;
+    use std::os::unix::process::ExitStatusExt;
+    use std::process::Stdio;
+
+    let copy = copy();
+    let forever = before_each_ray("if row == 50 { loop {} } let color = trace(&ray);");
+    let said = copy.with(2, &[forever], |mut check| {
+        // What a terminal sends goes to all programs of a group.
+        let mut check = check.process_group(0).stderr(Stdio::piped()).spawn().expect("it runs");
+        let group = format!("-{}", check.id());
+        let lines = BufReader::new(check.stderr.take().expect("a pipe")).lines();
+        let said = lines.map_while(Result::ok).find(|line| line.contains("Ctrl+C"));
+        let sent = Command::new("kill").args(["-INT", "--", &group]).status();
+        assert!(sent.expect("kill runs").success());
+        assert_eq!(check.wait().expect("it was started").signal(), Some(2));
+        said
+    });
+    let expected = "step01_rays: still computes --size 320x180 after 10 s; Ctrl+C stops";
+    assert_eq!(said.as_deref(), Some(expected));
+}
+
+#[test]
+fn the_steps_are_those_of_the_folder_where_a_check_runs() {
+    // Another workspace, however its steps are called.
+    let elsewhere = tempdir().expect("a folder");
+    let folders = ["", "step42_other", "no_step", "a/b"].map(|name| elsewhere.path().join(name));
+    for (folder, is_package) in folders.iter().zip([true, true, true, false]) {
+        fs::create_dir_all(folder).expect("a folder");
+        if is_package {
+            fs::write(folder.join("Cargo.toml"), "").expect("a file");
+        }
+    }
+    let name = format!("program{}", std::env::consts::EXE_SUFFIX);
+    let home = tempdir().expect("a folder");
+    let alone = home.path().join(name);
+    let [root, .., below] = &folders;
+    let asks = |mut program: Command, folder: &Path| {
+        let program = program.current_dir(folder).env("LC_ALL", "C").args(["--check", "step99"]);
+        let output = program.output().expect("it runs");
+        (output.status.code(), only_line(&output).to_owned())
+    };
+    let others = "error: there is no step 'step99'; there are step42_other (";
+    for folder in [root, below] {
+        let (code, line) = asks(program(STEPS[1]), folder);
+        assert!(line.starts_with(others) && code == Some(2), "{line}");
+    }
+    // Where there are none, those among which the program lies.
+    let empty = tempdir().expect("a folder");
+    let (code, line) = asks(program(STEPS[1]), empty.path());
+    assert!(line.contains(&STEPS.join(", ")) && code == Some(2), "{line}");
+    // And if it lies nowhere, it says where it looked.
+    fs::copy(program(STEPS[1]).get_program(), &alone).expect("a program");
+    let (code, line) = asks(Command::new(&alone), empty.path());
+    let looked = [empty.path(), home.path()].map(|path| path.file_name().expect("a name"));
+    let named = looked.iter().all(|name| line.contains(&*name.to_string_lossy()));
+    assert!(line.starts_with("error: the steps are found neither in ") && named, "{line}");
+    assert_eq!(code, Some(1));
 }
 
 #[test]

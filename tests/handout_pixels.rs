@@ -70,7 +70,7 @@ fn explanation(index: usize, arguments: &str) -> Explanation {
 
 /// The lines of what [`explanation`] gives, in the language that is spoken, their words one space apart.
 fn told(index: usize, arguments: &str) -> Vec<String> {
-    explanation(index, arguments).to_string().lines().map(spaced).collect()
+    written(&explanation(index, arguments)).lines().map(spaced).collect()
 }
 
 fn spaced(text: &str) -> String {

@@ -11,7 +11,6 @@ use std::fs;
 use std::path::Path;
 use std::path::PathBuf;
 
-use common::translated;
 use pulldown_cmark::HeadingLevel;
 use readme::LANGUAGES;
 use readme::Part;
@@ -22,8 +21,8 @@ use readme::none;
 use readme::originals;
 use readme::readmes;
 use readme::texts;
-use show::KEYS;
-use show::LECTURE_KEYS;
+use show::keys;
+use show::translated;
 use tests::prelude::*;
 
 /// The setup of a step with what `arguments` set.
@@ -178,8 +177,8 @@ fn the_keys_are_those_of_the_window_in_each_language() {
         language.speak();
         let readme = Readme::read(Path::new(file));
         let texts: Vec<&str> = readme.texts().collect();
-        for (keys, _) in KEYS.iter().chain(LECTURE_KEYS) {
-            for key in translated(keys).split(", ").map(|key| key.replace('-', "−")) {
+        for row in keys() {
+            for key in translated(row.keys).split(", ").map(|key| key.replace('-', "−")) {
                 let is_key = |text: &str| {
                     text.split(", ").chain(text.split([',', ' '])).any(|found| found == key)
                 };

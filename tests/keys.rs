@@ -2,7 +2,6 @@
 
 use std::fs;
 
-use common::Language;
 use lecture::Page;
 use lecture::programs;
 use serde_json::Value;
@@ -13,6 +12,7 @@ use show::Does;
 use show::Effect;
 use show::Event;
 use show::Key;
+use show::Language;
 use show::Session;
 use tests::root;
 

@@ -4,12 +4,10 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
-use std::rc::Rc;
 use std::sync::LazyLock;
 use std::sync::Mutex;
 
 use tempfile::tempdir;
-use tests::files_below;
 use tests::prelude::*;
 
 /// The string literals of Rust source before its unit tests, each with what stands before it.
@@ -73,9 +71,8 @@ fn has_words(text: &str, names: &BTreeSet<String>) -> bool {
 fn names() -> BTreeSet<String> {
     let mut names = BTreeSet::new();
     for index in 0..STEPS.len() {
-        let (mut step, mut view) = (step(index), step(index).view());
-        for control in step.controls().into_iter().chain(view.controls()) {
-            names.extend(control.options().into_iter().map(str::to_owned));
+        for Setting { control, .. } in setup(index).list() {
+            names.extend(control.options().iter().map(|name| (*name).to_owned()));
             names.extend(control.axis.map(|(name, _)| name.to_owned()));
             names.extend(control.of.map(|(kind, _)| kind.to_owned()));
             names.insert(control.name);
@@ -88,15 +85,17 @@ fn names() -> BTreeSet<String> {
 fn texts() -> BTreeSet<String> {
     let names = names();
     let mut texts = BTreeSet::new();
-    for folder in ["common/src", "common/show/src", "lecture/src"] {
-        let sources = sources(&root().join(folder)).concat();
-        let literals = literals(&sources).into_iter();
-        texts.extend(literals.filter(|(code, _)| code.ends_with("text!(")).map(|(_, text)| text));
+    for folder in ["common/show/src", "common/exercises/src", "lecture/src"] {
+        for source in sources(&root().join(folder)) {
+            let calls = source.split("text!(").skip(1);
+            let quoted = calls.filter(|call| call.trim_start().starts_with('"'));
+            texts.extend(quoted.map(|call| literals(call).swap_remove(0).1));
+        }
     }
     texts.extend(texts_of_the_page());
-    let keys = KEYS.iter().chain(LECTURE_KEYS).flat_map(|(key, effect)| [key, effect]);
-    let mistakes = Mistake::ALL.iter().flat_map(|mistake| [&mistake.what, &mistake.place]);
-    texts.extend(keys.chain(mistakes).map(|text| (*text).to_owned()));
+    let keys = keys().into_iter().flat_map(|row| [row.keys, row.effect]);
+    let mistakes = exercises::Mistake::ALL.iter().flat_map(|mistake| [mistake.what, mistake.place]);
+    texts.extend(keys.chain(mistakes).map(str::to_owned));
     // The group of the controls that every step has.
     texts.insert("camera".to_owned());
     for name in STEPS.into_iter().chain(["lecture"]) {
@@ -133,10 +132,10 @@ fn texts() -> BTreeSet<String> {
 /// The texts of the web page's own: what its script asks for, and what stands in its HTML.
 fn texts_of_the_page() -> Vec<String> {
     let mut texts = Vec::new();
-    let folder = root().join("lecture");
-    for file in [files_below(&folder.join("page")), vec![folder.join("src/html.rs")]].concat() {
-        let source = fs::read_to_string(file).expect("text");
-        let source = source.replace("\\\"", "\"");
+    let mut files = files_below(&root().join("lecture/page"));
+    files.push(root().join("lecture/src/html.rs"));
+    for file in files {
+        let source = fs::read_to_string(file).expect("text").replace("\\\"", "\"");
         for mark in ["data-text=\"", "data-name=\"", "text(\""] {
             let is_word = |at: usize| source[..at].ends_with(|letter: char| letter.is_alphabetic());
             let found = source.match_indices(mark).filter(|(at, _)| !is_word(*at));
@@ -171,9 +170,9 @@ fn every_text_has_its_translation_and_no_other_has() {
     let translations: BTreeSet<String> =
         Language::catalogue().into_iter().map(|(english, _)| english).collect();
     let missing: Vec<&String> = texts.difference(&translations).collect();
-    assert!(missing.is_empty(), "not in common/src/pt-BR.po: {missing:#?}");
+    assert!(missing.is_empty(), "not in common/show/src/pt-BR.po: {missing:#?}");
     let unused: Vec<&String> = translations.difference(&texts).collect();
-    assert!(unused.is_empty(), "nowhere but in common/src/pt-BR.po: {unused:#?}");
+    assert!(unused.is_empty(), "nowhere but in common/show/src/pt-BR.po: {unused:#?}");
     assert_eq!(translations.len(), Language::catalogue().len(), "a text is translated twice");
 }
 
@@ -198,11 +197,11 @@ fn texts_fit_where_they_stand() {
     {
         language.speak();
         for setting in setup(index).list() {
-            let group = translated(setting.group);
+            let group = translated(setting.control.group);
             assert!(Font::width(1.0, group) <= 15.0, "too wide for its heading: {group}");
         }
         for explanation in explanations(index) {
-            for line in explanation.to_string().lines() {
+            for line in written(&explanation).lines() {
                 assert!(line.chars().count() <= 100, "{step}: {line}");
             }
             for scope in explanation.told.all() {
@@ -232,7 +231,8 @@ static VOCABULARIES: LazyLock<[BTreeSet<String>; 2]> = LazyLock::new(|| {
     };
     let (english, portuguese, mut names) = (all(english), all(portuguese), names());
     for index in 0..STEPS.len() {
-        names.extend(setup(index).list().iter().flat_map(|setting| words(&setting.takes)));
+        names
+            .extend(setup(index).list().iter().flat_map(|setting| words(&setting.control.takes())));
     }
     let only = |these: &BTreeSet<String>, those| {
         these.difference(those).filter(|word| !names.contains(*word)).cloned().collect()
@@ -373,18 +373,17 @@ fn the_keys_are_shown_in_the_language_of_the_session() {
     let em = 0.0385 * 0.75 * 1000.0;
     for (_, language) in Language::ALL {
         language.speak();
-        let program = |index| Program::new(STEPS[index], "", window, Rc::new(move || step(index)));
-        let programs = (0..STEPS.len()).map(program).collect();
-        let mut session = Session::new(programs, 5, setup(5), Size::DEFAULT, 1);
+        let program = |index| Program::new(STEPS[index], "", Size::DEFAULT, make(index));
+        let mut session = Session::new(Desk::new((0..STEPS.len()).map(program).collect(), 5));
         session.handle(Event::Resize(window));
         session.handle(Event::Key(Key::F(1), false));
         let mut image = RgbImage::new(1000, 4000);
         session.paint(&mut image, &[], "");
-        for (key, effect) in KEYS.iter().chain(LECTURE_KEYS) {
+        for row in keys() {
             for (left, ink, english) in
-                [(0.6, Ink::new(255, 208, 64), key), (1.55, Ink::grey(238), effect)]
+                [(0.6, Ink::new(255, 208, 64), row.keys), (1.55, Ink::grey(238), row.effect)]
             {
-                let [its, others] = [language, language.other()].map(|language| {
+                let [its, others] = [language, language.next()].map(|language| {
                     language.speak();
                     translated(english)
                 });
@@ -399,15 +398,15 @@ fn the_keys_are_shown_in_the_language_of_the_session() {
 #[test]
 fn a_key_changes_the_language_of_a_session() {
     Language::English.speak();
-    let program = Program::new(STEPS[5], "", Size::DEFAULT, Rc::new(|| step(5)));
-    let mut session = Session::new(vec![program], 0, setup(5), Size::DEFAULT, 1);
+    let program = Program::new(STEPS[5], "", Size::DEFAULT, make(5));
+    let mut session = Session::new(Desk::new(vec![program], 0));
     let point = |session: &mut Session| {
         session.handle(Event::Key(Key::Enter, false));
         session.note().expect("a note").to_owned()
     };
     assert_eq!(point(&mut session), "point at the picture to pin a pixel");
     session.handle(Event::Key(Key::Char('G'), false));
-    assert_eq!(session.language(), Language::Portuguese);
+    assert_eq!(session.desk().language(), Language::Portuguese);
     // Whatever else was spoken meanwhile.
     Language::English.speak();
     assert_eq!(point(&mut session), "aponte para a imagem para fixar um pixel");

@@ -1,6 +1,5 @@
 //! What keys do on the page: what they do in the window, and what a browser keeps.
 
-use common::Language;
 use lecture::programs;
 use serde_json::Value;
 use serde_json::json;
@@ -8,6 +7,7 @@ use show::Act;
 use show::Desk;
 use show::Event;
 use show::Key;
+use show::Language;
 use show::Reading;
 use show::Session;
 

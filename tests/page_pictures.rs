@@ -9,12 +9,12 @@ use std::sync::Arc;
 use std::sync::Mutex;
 use std::thread;
 
-use common::Frame;
 use common::View;
 use image::RgbImage;
 use lecture::FIGURES;
 use lecture::PROGRAMS;
 use serde_json::json;
+use show::Frame;
 use tests::read_picture;
 use tests::root;
 

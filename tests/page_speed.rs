@@ -12,9 +12,9 @@ use std::time::Instant;
 use browser::Browser;
 use browser::DRAWN;
 use browser::PAGE;
-use common::Frame;
-use common::Size;
 use lecture::PROGRAMS;
+use show::Frame;
+use show::Size;
 
 const ROUNDS: usize = 20;
 const IN_A_ROW: usize = 10;

@@ -3,10 +3,10 @@
 use std::fs;
 use std::path::Path;
 
-use common::Language;
 use lecture::PROGRAMS;
 use serde_json::Value;
 use serde_json::json;
+use show::Language;
 
 use crate::browser::Browser;
 use crate::browser::DRAWN;

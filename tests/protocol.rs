@@ -2,14 +2,15 @@
 
 use std::fs;
 
-use common::Frame;
 use common::Pixel;
 use common::Scope;
-use common::Size;
 use lecture::PROGRAMS;
 use lecture::Page;
 use serde_json::Value;
 use serde_json::json;
+use show::Frame;
+use show::Size;
+use show::texts;
 use tests::files_below;
 use tests::root;
 use tests::step;
@@ -185,8 +186,7 @@ fn each_symbol_has_the_number_of_what_is_seen() {
     let told = step.explain(&*step.view().camera(960.0 / 540.0), pixel);
     let value = |scope: &Scope, symbol: &str| {
         let line = scope.lines().find(|line| line.symbol() == symbol)?;
-        let texts = line.value.texts();
-        Some(texts.iter().map(|text| text.trim().to_owned()).collect::<Vec<_>>())
+        Some(texts(&line.value).iter().map(|text| text.trim().to_owned()).collect::<Vec<_>>())
     };
     let found = |place: usize, symbol: &str| {
         let values = explained["symbols"][place]["values"].as_array().expect("symbols");

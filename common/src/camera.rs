@@ -1,3 +1,5 @@
+//! The two cameras.
+
 use crate::Ray;
 use crate::Vec3;
 

@@ -1,21 +1,15 @@
 //! What a step tells of a pixel, as a tree.
 
-use std::fmt;
-
 use crate::Color;
 use crate::Pixel;
 use crate::Ray;
 use crate::Value;
 use crate::Vec3;
-use crate::encode;
-use crate::text;
-use crate::translated;
 
 /// One pixel's equations with their numbers, in the slides' symbols and in the order in which they
 /// were computed: what a step tells a [`Recorder`](crate::Recorder).
 ///
-/// A plain value that any front end can show, fold and draw. As text no line is longer than 100
-/// characters.
+/// A plain value that any front end can show, fold and draw.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Explanation {
     /// The pixel spoken of.
@@ -24,8 +18,8 @@ pub struct Explanation {
     pub color: Color,
     /// All that was told; it has no name.
     pub told: Scope,
-    /// The way to the scope that is still told, by places in its parts.
-    open: Vec<usize>,
+    /// How many scopes within each other are still told: each the last part of the one around.
+    open: usize,
 }
 
 /// What was told of one thing: a part of the algorithm, an object, a light.
@@ -91,6 +85,16 @@ pub enum Place {
     ShadowRay(Ray, f32),
 }
 
+impl Part {
+    fn line(&self) -> Option<&Line> {
+        if let Self::Line(line) = self { Some(line) } else { None }
+    }
+
+    fn scope(&self) -> Option<&Scope> {
+        if let Self::Scope(scope) = self { Some(scope) } else { None }
+    }
+}
+
 impl Line {
     /// What stands before the =; all of a symbol.
     pub(crate) fn left_side(equation: &'static str) -> &'static str {
@@ -112,34 +116,22 @@ impl Scope {
 
     /// The lines told of it alone, in their order.
     pub fn lines(&self) -> impl DoubleEndedIterator<Item = &Line> {
-        self.parts.iter().filter_map(|part| match part {
-            Part::Line(line) => Some(line),
-            Part::Scope(_) => None,
-        })
+        self.parts.iter().filter_map(Part::line)
     }
 
     /// The things told of within it, in their order.
     pub fn scopes(&self) -> impl DoubleEndedIterator<Item = &Self> {
-        self.parts.iter().filter_map(|part| match part {
-            Part::Line(_) => None,
-            Part::Scope(scope) => Some(scope),
-        })
+        self.parts.iter().filter_map(Part::scope)
     }
 
     /// All lines told of it and of the things within it, in their order.
     pub fn all_lines(&self) -> Vec<&Line> {
-        let mut lines = Vec::new();
-        self.visit(&mut |scope_lines| lines.push(scope_lines));
-        lines
-    }
-
-    fn visit<'a>(&'a self, line: &mut impl FnMut(&'a Line)) {
-        for part in &self.parts {
-            match part {
-                Part::Line(told) => line(told),
-                Part::Scope(scope) => scope.visit(line),
-            }
-        }
+        let parts = self.parts.iter();
+        parts
+            .flat_map(|part| {
+                part.scope().map_or(part.line().into_iter().collect(), Self::all_lines)
+            })
+            .collect()
     }
 
     /// It and all things within it, in their order.
@@ -147,6 +139,18 @@ impl Scope {
         let mut all = vec![self];
         all.extend(self.scopes().flat_map(Self::all));
         all
+    }
+
+    /// The scope so many steps within: each time the last part.
+    fn within(&mut self, depth: usize) -> &mut Self {
+        match self.parts.last() {
+            Some(Part::Scope(_)) if depth > 0 => {}
+            _ => return self,
+        }
+        match self.parts.last_mut() {
+            Some(Part::Scope(inner)) => inner.within(depth - 1),
+            _ => unreachable!("it is a scope"),
+        }
     }
 
     /// Whether it is worth reading at first: not if it is about an object that is not seen.
@@ -158,11 +162,11 @@ impl Scope {
 impl Explanation {
     /// Nothing is told of `pixel` yet.
     pub(crate) fn new(pixel: Pixel) -> Self {
-        Self { pixel, color: Color::ZERO, told: Scope::new(""), open: Vec::new() }
+        Self { pixel, color: Color::ZERO, told: Scope::new(""), open: 0 }
     }
 
     pub(crate) fn finished(self, color: Color) -> Self {
-        Self { color, open: Vec::new(), ..self }
+        Self { color, open: 0, ..self }
     }
 
     /// All lines in the order in which they were told.
@@ -182,38 +186,24 @@ impl Explanation {
 
     /// What is told of just now; all, once nothing more will be.
     pub fn current(&self) -> &Scope {
-        self.open.iter().fold(&self.told, |scope, place| match &scope.parts[*place] {
-            Part::Scope(inner) => inner,
-            Part::Line(_) => scope,
-        })
+        (0..self.open)
+            .fold(&self.told, |scope, _| scope.parts.last().and_then(Part::scope).unwrap_or(scope))
     }
 
     pub(crate) fn current_mut(&mut self) -> &mut Scope {
-        Self::at(&mut self.told, &self.open)
-    }
-
-    fn at<'a>(scope: &'a mut Scope, open: &[usize]) -> &'a mut Scope {
-        match open.split_first() {
-            None => scope,
-            Some((place, rest)) => match &mut scope.parts[*place] {
-                Part::Scope(inner) => Self::at(inner, rest),
-                Part::Line(_) => unreachable!("only scopes are opened"),
-            },
-        }
+        self.told.within(self.open)
     }
 
     pub(crate) fn open(&mut self, scope: Scope) {
-        let current = self.current_mut();
-        current.parts.push(Part::Scope(scope));
-        let place = current.parts.len() - 1;
-        self.open.push(place);
+        self.current_mut().parts.push(Part::Scope(scope));
+        self.open += 1;
     }
 
     /// Light that is not summed yet belongs to the scope around, as one term.
     pub(crate) fn close(&mut self) {
         let closed = self.current_mut();
         let (name, terms) = (closed.name, std::mem::take(&mut closed.terms));
-        self.open.pop();
+        self.open -= 1;
         if !terms.is_empty() {
             let light = terms.iter().map(|(_, light)| *light).sum();
             self.current_mut().terms.push((name, light));
@@ -222,64 +212,13 @@ impl Explanation {
 
     /// The current scope is hit at `t`, and those beside it that were the closest are no more.
     pub(crate) fn set_closest(&mut self, t: f32) {
-        if let Some((_, around)) = self.open.split_last() {
-            for part in &mut Self::at(&mut self.told, around).parts {
-                if let Part::Scope(Scope { outcome, .. }) = part
-                    && let Outcome::Closest(t) = *outcome
-                {
-                    *outcome = Outcome::Farther(t);
-                }
+        for part in &mut self.told.within(self.open.saturating_sub(1)).parts {
+            if let Part::Scope(Scope { outcome, .. }) = part
+                && let Outcome::Closest(t) = *outcome
+            {
+                *outcome = Outcome::Farther(t);
             }
         }
         self.current_mut().outcome = Outcome::Closest(t);
-    }
-}
-
-/// Writes a scope, `depth` within the others.
-fn write(f: &mut fmt::Formatter<'_>, scope: &Scope, depth: usize) -> fmt::Result {
-    let indent = 2 * depth;
-    for part in &scope.parts {
-        match part {
-            Part::Line(line) => {
-                // A little deeper than the headings beside it, so that these stand out.
-                let (equation, indent) = (translated(line.equation), indent.max(4));
-                let width = 49_usize.saturating_sub(indent);
-                writeln!(f, "{:indent$}{equation:<width$}{}", "", line.value)?;
-            }
-            Part::Scope(inner) => {
-                let (name, width) = (translated(inner.name), 49_usize.saturating_sub(indent));
-                match inner.outcome {
-                    // What is told of a part of the algorithm is all that there is to read of it.
-                    Outcome::Missed(why, condition) if depth > 0 => {
-                        let (why, condition) = (translated(why), translated(condition));
-                        writeln!(f, "{:indent$}{name:<width$} {why}: {condition}", "")?;
-                    }
-                    Outcome::Farther(t) => {
-                        writeln!(f, "{:indent$}{name:<width$}{}", "", Value::Number(t))?;
-                    }
-                    Outcome::Told | Outcome::Missed(..) | Outcome::Closest(_) => {
-                        writeln!(f, "{:indent$}{name}", "")?;
-                        write(f, inner, depth + 1)?;
-                    }
-                }
-            }
-        }
-    }
-    Ok(())
-}
-
-impl fmt::Display for Explanation {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Pixel { col, row, width, height } = self.pixel;
-        writeln!(
-            f,
-            "{}",
-            text!("pixel ({col}, {row}) of {width}x{height}", col, row, width, height)
-        )?;
-        write(f, &self.told, 0)?;
-        let [r, g, b] = encode(self.color);
-        writeln!(f, "{}", text!("seen"))?;
-        writeln!(f, "    {:<45}{}", "L", Value::Vector(self.color))?;
-        writeln!(f, "    {:<45} {r:<10} {g:<10} {b}", text!("sRGB, 0 to 255"))
     }
 }

@@ -1,3 +1,5 @@
+//! The picture that a step fills.
+
 use std::ops::Range;
 
 use crate::Color;

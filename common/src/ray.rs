@@ -1,3 +1,5 @@
+//! A ray.
+
 use crate::Vec3;
 
 /// r(t) = p + t d, for t > 0. Slide «Raios».

@@ -23,8 +23,8 @@ pub struct Recorder {
 }
 
 /// What hands back another value than the one told, given what was told before: to see where a
-/// mistake in one line leads. Others it hands back as they are. It is asked with a symbol, `n·l`, or
-/// with an equation up to its =, `t =`.
+/// mistake in one line leads. Others it hands back as they are. It is asked with a symbol: of an
+/// equation, with the left side.
 pub type Slip = fn(&Explanation, &'static str, Value) -> Value;
 
 impl Recorder {
@@ -53,8 +53,9 @@ impl Recorder {
             return value;
         }
         let told = self.told.borrow();
-        let begin = equation.split_inclusive('=').next().unwrap_or(equation);
-        let altered = self.slips.iter().fold(value.into(), |value, slip| slip(&told, begin, value));
+        let symbol = Line::left_side(equation);
+        let altered =
+            self.slips.iter().fold(value.into(), |value, slip| slip(&told, symbol, value));
         altered.try_into().unwrap_or(value)
     }
 

@@ -1,5 +1,6 @@
+//! What a step of the lecture hands over.
+
 use crate::Camera;
-use crate::Canvas;
 use crate::Color;
 use crate::Controls;
 use crate::Explanation;
@@ -22,10 +23,6 @@ pub trait Step: Sync {
     /// Tells `say` how `pixel` comes by its colour, which it gives back: what the functions that
     /// [`render`](Self::render) runs tell.
     fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color;
-
-    /// Draws over the finished picture that `camera` sees: a figure's words and lines. A lesson's
-    /// picture is left as it was rendered.
-    fn draw_over(&self, _camera: &dyn Camera, _canvas: &mut Canvas<'_>) {}
 
     /// How `pixel` comes by its colour.
     fn explain(&self, camera: &dyn Camera, pixel: Pixel) -> Explanation {

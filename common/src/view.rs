@@ -1,3 +1,5 @@
+//! Where the picture is seen from.
+
 use std::ops::RangeInclusive;
 
 use crate::Camera;

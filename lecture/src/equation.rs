@@ -6,7 +6,7 @@ use pulldown_latex::Storage;
 use pulldown_latex::config::DisplayMode;
 use pulldown_latex::push_mathml;
 
-use crate::handout::escape;
+use crate::escape::escape;
 
 /// What stands in an equation, and the symbols that steps tell with its value, with `|` between
 /// them; one that ends in `=` is meant only where it is given its value. Of two that begin alike the

@@ -6,7 +6,6 @@ use std::path::Path;
 
 use anyhow::Context;
 use anyhow::Result;
-use common::text;
 use pulldown_cmark::CodeBlockKind;
 use pulldown_cmark::CowStr;
 use pulldown_cmark::Event;
@@ -16,8 +15,10 @@ use pulldown_cmark::Parser;
 use pulldown_cmark::Tag;
 use pulldown_cmark::TagEnd;
 use pulldown_cmark::html;
+use show::text;
 
 use crate::equation;
+use crate::escape::escape;
 
 /// What the page says of a step, as HTML.
 pub(crate) struct Handout {
@@ -38,11 +39,6 @@ const SHOWN_ALREADY: [&str; 2] = ["Before and after", "Antes e depois"];
 
 /// What is around a table, which may be wider than a phone.
 pub(crate) const TABLE: &str = "<div class=\"wide\" tabindex=\"0\" role=\"group\">";
-
-/// `text` as it is written in HTML, between tags or in quotes.
-pub(crate) fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
-}
 
 /// The handout in `path`, of the step called `name`.
 pub(crate) fn read(path: &Path, name: &str) -> Result<Handout> {

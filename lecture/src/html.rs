@@ -14,8 +14,6 @@ use anyhow::Result;
 use anyhow::bail;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use common::Language;
-use common::text;
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use image::imageops::FilterType;
@@ -23,10 +21,12 @@ use jpeg_encoder::ColorType;
 use jpeg_encoder::Encoder;
 use jpeg_encoder::SamplingFactor;
 use lecture::PROGRAMS;
+use show::Language;
+use show::text;
 
+use crate::escape::escape;
 use crate::handout;
 use crate::handout::Handout;
-use crate::handout::escape;
 
 /// Pixels of a figure's picture, and what part of it a JPEG keeps: so that the page stays small.
 const STILL_WIDTH: u32 = 300;

@@ -12,16 +12,15 @@ mod page;
 mod protocol;
 mod told;
 
-#[cfg(not(target_family = "wasm"))]
 use std::rc::Rc;
 
-#[cfg(not(target_family = "wasm"))]
-use common::Size;
 use common::Step;
 pub use figures::FIGURES;
 #[cfg(not(target_family = "wasm"))]
 use lesson::Lesson;
 pub use page::Page;
+#[cfg(not(target_family = "wasm"))]
+use show::Size;
 
 /// A step as a program.
 #[derive(Clone, Copy, Debug)]
@@ -100,10 +99,15 @@ pub fn programs() -> Vec<show::Program> {
         // They are shown as long as the window.
         let Lesson { concept, slides, idea } = Lesson::read(step.handout);
         let (concept, slides, idea) = (concept.leak(), slides.leak(), idea.leak());
-        let program = show::Program::new(step.name, concept, Size::DEFAULT, Rc::new(step.make));
+        let program = show::Program::new(step.name, concept, Size::DEFAULT, make(step));
         let in_portuguese = Lesson::read(step.handout_in_portuguese);
         let portuguese = Some([&*in_portuguese.concept.leak(), &*in_portuguese.idea.leak()]);
         show::Program { slides, diff: step.diff, idea, portuguese, ..program }
     };
     PROGRAMS.map(program).to_vec()
+}
+
+/// What makes a step.
+pub(crate) fn make(step: Program) -> show::Make {
+    Rc::new(move || Box::new(show::Lesson((step.make)())))
 }

@@ -2,6 +2,7 @@
 //! it.
 
 mod equation;
+mod escape;
 mod handout;
 mod html;
 
@@ -9,5 +10,5 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let (name, concept) = (env!("CARGO_PKG_NAME"), env!("CARGO_PKG_DESCRIPTION"));
-    show::lecture(name, concept, lecture::programs(), html::page)
+    exercises::lecture(name, concept, lecture::programs(), html::page)
 }

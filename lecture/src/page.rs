@@ -1,28 +1,27 @@
 //! The steps' program on the page: it is asked, and answers.
 
-use std::rc::Rc;
-
-use common::Area;
-use common::Canvas;
-use common::Frame;
-use common::Language;
-use common::Size;
-use common::text;
-use common::translated;
 use image::RgbImage;
 use serde::Serialize;
 use show::Act;
+use show::Area;
+use show::Canvas;
 use show::Compare;
 use show::Desk;
 use show::Does;
 use show::Effect;
+use show::Frame;
 use show::Hand;
 use show::Handle;
+use show::Language;
 use show::Program;
 use show::Reading;
+use show::Size;
+use show::text;
+use show::translated;
 
 use crate::FIGURES;
 use crate::PROGRAMS;
+use crate::make;
 use crate::protocol::Ask;
 use crate::protocol::Done;
 use crate::protocol::Group;
@@ -49,7 +48,7 @@ impl Default for Page {
     /// The first step, as it starts.
     fn default() -> Self {
         let program = |(place, step): (usize, &crate::Program)| {
-            let program = Program::new(step.name, "", Size::DEFAULT, Rc::new(step.make));
+            let program = Program::new(step.name, "", Size::DEFAULT, make(*step));
             // What is to be read stands on the page already.
             Program { diff: if place > 0 { "diff" } else { "" }, idea: "idea", ..program }
         };
@@ -206,15 +205,15 @@ fn show(
 ) -> Result<Vec<u8>, String> {
     let (width, height) = (size.width() as u32, size.height() as u32);
     let area = Area::new(0.0, 0.0, width as f32, height as f32);
-    let mut picture = show::composed(desk, pictures);
+    let mut picture = show::compared(desk, pictures);
     if picture.dimensions() != (width, height) {
         let mut larger = RgbImage::new(width, height);
         Canvas::new(&mut larger).picture(&picture, area);
         picture = larger;
     }
     let setup = desk.setup();
+    setup.draw_over(&*setup.view().camera(size.aspect()), &mut picture);
     let mut canvas = Canvas::new(&mut picture);
-    setup.step().draw_over(&*setup.view().camera(size.aspect()), &mut canvas);
     show::draw_marks(desk, &mut canvas, area, text_size.clamp(1.0, area.height.max(1.0)));
     let mut rgba = vec![255; 4 * size.width() * size.height()];
     for (to, from) in rgba.chunks_exact_mut(4).zip(picture.chunks_exact(3)) {

@@ -6,9 +6,10 @@ use common::Explanation;
 use common::Outcome;
 use common::Scope;
 use common::Value;
-use common::encode;
-use common::translated;
+use show::encode;
 use show::symbol_ink;
+use show::texts;
+use show::translated;
 
 use crate::protocol::Explained;
 use crate::protocol::Part;
@@ -20,8 +21,8 @@ pub(crate) fn explained(explanation: &Explanation) -> Explained {
     Explained { parts: parts(told), seen: encode(explanation.color), symbols: symbols(told) }
 }
 
-fn texts(value: &Value) -> Vec<String> {
-    value.texts().iter().map(|text| text.trim().to_owned()).collect()
+fn trimmed(value: &Value) -> Vec<String> {
+    texts(value).iter().map(|text| text.trim().to_owned()).collect()
 }
 
 fn parts(scope: &Scope) -> Vec<Part> {
@@ -31,7 +32,7 @@ fn parts(scope: &Scope) -> Vec<Part> {
                 let [r, g, b] = ink.rgb;
                 format!("#{r:02x}{g:02x}{b:02x}")
             });
-            Part::Line { shown: translated(line.equation), ink, values: texts(&line.value) }
+            Part::Line { shown: translated(line.equation), ink, values: trimmed(&line.value) }
         }
         common::Part::Scope(inner) => {
             let outcome = match inner.outcome {
@@ -39,7 +40,9 @@ fn parts(scope: &Scope) -> Vec<Part> {
                 Outcome::Missed(why, condition) => {
                     format!("{}: {}", translated(why), translated(condition))
                 }
-                Outcome::Closest(t) | Outcome::Farther(t) => format!("t ={}", Value::Number(t)),
+                Outcome::Closest(t) | Outcome::Farther(t) => {
+                    format!("t ={}", texts(&Value::Number(t)).concat())
+                }
             };
             let (name, shown, open) = (inner.name, translated(inner.name), inner.is_open());
             Part::Scope { name, shown, open, outcome, parts: parts(inner) }
@@ -78,6 +81,6 @@ fn tell_the_same(one: &Scope, other: &Scope) -> bool {
 fn add(scope: &Scope, symbols: &mut Symbols) {
     for line in scope.lines() {
         symbols.values.retain(|(symbol, _)| *symbol != line.symbol());
-        symbols.values.push((line.symbol(), texts(&line.value)));
+        symbols.values.push((line.symbol(), trimmed(&line.value)));
     }
 }

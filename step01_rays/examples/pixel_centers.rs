@@ -1,7 +1,7 @@
 //! «Mapeamento»: exactly where pixels are located, on a picture of 4 × 2.
-use common::Ink;
 use common::prelude::*;
 use show::Figure;
+use show::Ink;
 use show::Sketch;
 use show::told;
 use step01_rays::Lesson;

@@ -1,7 +1,7 @@
 //! «Intersecção entre raio e esfera»: the discriminant tells how many solutions there are.
-use common::Ink;
 use common::prelude::*;
 use show::Figure;
+use show::Ink;
 use show::Sketch;
 use show::told;
 use step02_sphere::Lesson;

@@ -1,10 +1,10 @@
 //! «Coordenadas baricêntricas»: each weight is the share that the area opposite its vertex has in
 //! the triangle.
-use common::Ink;
 use common::prelude::*;
-use common::text;
 use show::Figure;
+use show::Ink;
 use show::Sketch;
+use show::text;
 use show::told;
 use step03_triangle::Lesson;
 use step03_triangle::triangle::Triangle;

@@ -1,7 +1,7 @@
 //! «Coordenadas baricêntricas»: each weight is constant along lines parallel to one edge.
-use common::Ink;
 use common::prelude::*;
 use show::Figure;
+use show::Ink;
 use show::Sketch;
 use step03_triangle::Lesson;
 use step03_triangle::render::render;

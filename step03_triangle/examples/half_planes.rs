@@ -1,8 +1,8 @@
 //! «Intersecção entre raio e triângulo»: in its plane, a triangle is the intersection of three
 //! half-planes.
-use common::Ink;
 use common::prelude::*;
 use show::Figure;
+use show::Ink;
 use show::Sketch;
 use show::told;
 use step03_triangle::Lesson;

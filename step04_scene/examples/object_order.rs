@@ -1,9 +1,9 @@
 //! «Duas abordagens»: object order and image order test the same and give the same picture; they
 //! differ in what they have to remember, and in what there is half way.
-use common::Size;
 use common::prelude::*;
-use common::text;
 use show::Figure;
+use show::Size;
+use show::text;
 use step04_scene::Lesson;
 use step04_scene::render::viewing_ray;
 

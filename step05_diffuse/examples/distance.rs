@@ -1,7 +1,7 @@
 //! «Atenuação por distância»: light thins out with the square of the distance.
-use common::Ink;
 use common::prelude::*;
 use show::Figure;
+use show::Ink;
 use show::Sketch;
 use step05_diffuse::Lesson;
 use step05_diffuse::sphere::Sphere;

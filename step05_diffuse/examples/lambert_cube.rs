@@ -1,9 +1,9 @@
 //! «Reflexão difusa»: the top of a cube, turned by 60°, intercepts half the light.
-use common::Ink;
 use common::prelude::*;
-use common::text;
 use show::Figure;
+use show::Ink;
 use show::Sketch;
+use show::text;
 use show::told;
 use step05_diffuse::Lesson;
 use step05_diffuse::material::Material;

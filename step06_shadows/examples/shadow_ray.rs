@@ -1,7 +1,7 @@
 //! «Sombras»: a point is lit by a light that a ray from the point gets to.
-use common::Ink;
 use common::prelude::*;
 use show::Figure;
+use show::Ink;
 use show::Sketch;
 use step06_shadows::Lesson;
 

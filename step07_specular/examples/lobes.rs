@@ -1,8 +1,8 @@
 //! «Modelo Phong/Blinn-Phong»: increasing n narrows the lobe cosⁿα that a highlight is made of.
-use common::Anchor;
-use common::Ink;
 use common::prelude::*;
+use show::Anchor;
 use show::Figure;
+use show::Ink;
 use show::Sketch;
 use show::told;
 use step07_specular::Lesson;

@@ -1,11 +1,13 @@
+//! How far two pictures are apart.
+
 use std::fmt;
 
 use image::Rgb;
 use image::RgbImage;
 
-use common::count_off;
-use common::off;
-use common::text;
+use crate::count_off;
+use crate::off;
+use crate::text;
 
 /// How far one picture is from another, and where.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,7 +51,7 @@ pub struct Difference {
 }
 
 /// How far a channel may be off, in steps of 1/255.
-pub(crate) const TOLERANCE: u8 = 1;
+pub const TOLERANCE: u8 = 1;
 
 /// How many pixels may be further off, in a picture of at least 3000: of a smaller one, one in a
 /// thousand. On a silhouette the last bit of a number, which differs between platforms, decides

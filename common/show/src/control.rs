@@ -3,10 +3,10 @@
 use std::fmt;
 use std::ops::RangeInclusive;
 
+use crate::text;
 use common::Adjustable;
 use common::Controls;
 use common::Kind;
-use common::text;
 
 /// A control of a step or of the camera, with its value as a number.
 #[derive(Clone, Debug, PartialEq)]

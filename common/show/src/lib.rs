@@ -6,24 +6,35 @@
 //! thread or file. A step's library does not know of this crate, nor could it be built for a browser
 //! if it did: its program and its figures do.
 
+mod canvas;
 mod compare;
 mod control;
 mod desk;
 #[cfg(not(target_family = "wasm"))]
 mod desktop;
 mod figure;
-mod mistakes;
+mod frame;
+mod language;
 mod outside;
 mod over;
 mod pen;
+mod pixels;
 mod session;
 mod setup;
+mod shown;
 mod sight;
+mod srgb;
 mod vectors;
+mod written;
 
+pub use canvas::Anchor;
+pub use canvas::Area;
+pub use canvas::Canvas;
+pub use canvas::Font;
+pub use canvas::Ink;
 pub use compare::Comparison;
 pub use compare::Difference;
-pub(crate) use compare::TOLERANCE;
+pub use compare::TOLERANCE;
 pub use compare::side_by_side;
 pub use control::Control;
 pub use control::Refused;
@@ -42,11 +53,15 @@ pub use desk::Wanted;
 pub use desk::does;
 pub use desk::table as keys;
 #[cfg(not(target_family = "wasm"))]
-pub use desktop::lecture;
+pub use desktop::Exercises;
 #[cfg(not(target_family = "wasm"))]
-pub use desktop::main;
+pub use desktop::Suite;
+#[cfg(not(target_family = "wasm"))]
+pub use desktop::Verdict;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::render_parallel;
+#[cfg(not(target_family = "wasm"))]
+pub use desktop::report;
 #[cfg(not(target_family = "wasm"))]
 #[doc(hidden)]
 pub use desktop::run;
@@ -54,14 +69,22 @@ pub use figure::Axes;
 pub use figure::Figure;
 pub use figure::Sketch;
 pub use figure::told;
-pub use mistakes::Mistake;
-pub use mistakes::Pair;
-pub use mistakes::centered;
+pub use frame::Frame;
+pub use frame::Size;
+pub use frame::SizeError;
+pub use frame::check_loop;
+pub use language::Language;
+pub use language::composed;
+pub use language::translated;
 pub use outside::Outside;
-pub use over::composed;
+pub use over::compared;
 pub use over::draw_marks;
 pub use over::is_marked;
 pub use over::point_at;
+pub use pixels::count_off;
+pub use pixels::magnified;
+pub use pixels::off;
+pub use pixels::pack;
 pub use session::Event;
 pub use session::Session;
 pub use setup::Handle;
@@ -69,8 +92,13 @@ pub use setup::Make;
 pub use setup::Setting;
 pub use setup::SettingError;
 pub use setup::Setup;
+pub use shown::Lesson;
+pub use shown::Shown;
 pub use sight::Sight;
 pub use sight::Stroke;
+pub use sight::first_hit;
+pub use srgb::decode;
+pub use srgb::encode;
 pub use vectors::Mark;
 pub use vectors::MarkShape;
 pub use vectors::drag;
@@ -78,3 +106,5 @@ pub use vectors::draw_vectors;
 pub use vectors::handle_at;
 pub use vectors::marks;
 pub use vectors::symbol_ink;
+pub use written::texts;
+pub use written::written;

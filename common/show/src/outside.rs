@@ -1,28 +1,30 @@
+//! The camera seen from outside.
+
+use crate::Area;
+use crate::Canvas;
+use crate::Frame;
 use crate::Handle;
+use crate::Ink;
 use crate::Sight;
+use crate::Size;
 use crate::pen::Pen;
 use crate::sight::first_hit;
 use crate::sight::told_hit;
+use crate::text;
 use crate::vectors::draw_handles;
 use crate::vectors::draw_marks;
 use crate::vectors::marks;
 use crate::vectors::symbol_ink;
 use crate::vectors::unit;
 use crate::vectors::viewing_ray;
-use common::Area;
 use common::Camera;
-use common::Canvas;
 use common::Explanation;
-use common::Frame;
-use common::Ink;
 use common::Pixel;
 use common::Projection;
 use common::Ray;
-use common::Size;
 use common::Step;
 use common::Vec3;
 use common::View;
-use common::text;
 
 /// The camera seen from outside: its eye, its window of pixels with the picture on it, and its rays
 /// in the scene.
@@ -111,7 +113,7 @@ impl Outside<'_> {
     /// Draws all of it over the picture of the step from the onlooker's camera, which is in
     /// `area` already; with what `explanation` tells, and `handles`.
     ///
-    /// Letters are `text_size` high, in pixels, as [`Font`](common::Font) tells.
+    /// Letters are `text_size` high, in pixels, as [`Font`](crate::Font) tells.
     pub fn draw(
         &self, canvas: &mut Canvas<'_>, explanation: Option<&Explanation>, handles: &[Handle],
         text_size: f32,

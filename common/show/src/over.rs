@@ -2,6 +2,8 @@
 
 use image::RgbImage;
 
+use crate::Area;
+use crate::Canvas;
 use crate::Compare;
 use crate::Desk;
 use crate::Handle;
@@ -9,11 +11,9 @@ use crate::Outside;
 use crate::Sight;
 use crate::draw_vectors;
 use crate::handle_at;
-use common::Area;
-use common::Canvas;
 
 /// What is to be seen of the desk's pictures: of two the last alone if they have different sizes.
-pub fn composed(desk: &Desk, mut pictures: Vec<RgbImage>) -> RgbImage {
+pub fn compared(desk: &Desk, mut pictures: Vec<RgbImage>) -> RgbImage {
     let this = pictures.pop().unwrap_or_default();
     match (pictures.pop(), desk.compare()) {
         (Some(before), compare) if compare != Compare::Off => compare.composed(&before, &this),

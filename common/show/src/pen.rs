@@ -1,13 +1,13 @@
 //! Lines and labels in the world, drawn on a picture of it.
 
+use crate::Anchor;
+use crate::Area;
+use crate::Canvas;
+use crate::Font;
+use crate::Ink;
 use crate::Sight;
 use crate::Stroke;
 use crate::sight::distance;
-use common::Anchor;
-use common::Area;
-use common::Canvas;
-use common::Font;
-use common::Ink;
 use common::Vec3;
 
 /// What is under every line, so that it is seen on any picture.

@@ -3,16 +3,21 @@
 use std::fmt;
 use std::rc::Rc;
 
+use image::RgbImage;
+
+use crate::Canvas;
+use crate::Shown;
 use crate::control;
 use crate::control::AXES;
 use crate::control::Control;
 use crate::control::Refused;
 use crate::control::first_word;
+use crate::text;
+use common::Camera;
 use common::Controls;
 use common::Step;
 use common::Vec3;
 use common::View;
-use common::text;
 
 /// A step, where it is seen from, and what was changed in both: all that a picture is made of.
 ///
@@ -21,7 +26,7 @@ use common::text;
 /// picture to the last bit.
 pub struct Setup {
     make: Make,
-    step: Box<dyn Step>,
+    step: Box<dyn Shown>,
     view: View,
     /// As they are now, and as the step starts.
     controls: Vec<Control>,
@@ -32,7 +37,7 @@ pub struct Setup {
 }
 
 /// What makes a step as it starts.
-pub type Make = Rc<dyn Fn() -> Box<dyn Step>>;
+pub type Make = Rc<dyn Fn() -> Box<dyn Shown>>;
 
 /// What kind of object a control belongs to, and which of them.
 type Owner = (&'static str, &'static str);
@@ -112,6 +117,11 @@ impl Setup {
     /// The step, as it was changed.
     pub fn step(&self) -> &dyn Step {
         &*self.step
+    }
+
+    /// Draws over the finished picture of the step that `camera` sees.
+    pub fn draw_over(&self, camera: &dyn Camera, picture: &mut RgbImage) {
+        self.step.draw_over(camera, &mut Canvas::new(picture));
     }
 
     /// Where it is seen from.

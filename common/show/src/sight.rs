@@ -1,4 +1,6 @@
-use common::Area;
+//! Where a point of the world is in a picture.
+
+use crate::Area;
 use common::Camera;
 use common::Explanation;
 use common::Outcome;
@@ -76,7 +78,7 @@ pub(crate) fn explain_ray(step: &dyn Step, ray: &Ray) -> Explanation {
 }
 
 /// The t of the first thing in `step` that `ray` hits; `None` when it hits nothing.
-pub(crate) fn first_hit(step: &dyn Step, ray: &Ray) -> Option<f32> {
+pub fn first_hit(step: &dyn Step, ray: &Ray) -> Option<f32> {
     told_hit(&explain_ray(step, ray), ray)
 }
 

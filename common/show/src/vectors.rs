@@ -1,19 +1,21 @@
+//! What is told with a place in the world, drawn.
+
+use crate::Canvas;
 use crate::Handle;
+use crate::Ink;
 use crate::Sight;
 use crate::pen::Pen;
 use crate::sight::distance;
 use crate::sight::told_hit;
+use crate::text;
+use crate::translated;
 use common::Camera;
-use common::Canvas;
 use common::Explanation;
-use common::Ink;
 use common::Outcome;
 use common::Place;
 use common::Ray;
 use common::Scope;
 use common::Vec3;
-use common::text;
-use common::translated;
 
 /// The colour of a symbol wherever it is drawn or written, apart for those who see few colours too
 /// (Okabe and Ito's); `None` for one that is not drawn.
@@ -212,7 +214,7 @@ pub(crate) fn draw_handles<'a>(pen: &mut Pen<'a>, handles: &'a [Handle]) {
 }
 
 /// Draws over the picture in `sight.area` what `explanation` tells with a place in the world, and
-/// `handles`; letters are `text_size` high, in pixels, as [`Font`](common::Font) tells.
+/// `handles`; letters are `text_size` high, in pixels, as [`Font`](crate::Font) tells.
 ///
 /// What something hides is dashed or faint. The viewing ray is seen end on: it is the point that it
 /// hits, or a ring.

@@ -3,10 +3,10 @@
 use std::fmt;
 
 use crate::Handle;
+use crate::Language;
 use crate::SettingError;
+use crate::Size;
 use crate::control::Refused;
-use common::Language;
-use common::Size;
 
 /// Something that is done in a class, however it was asked for.
 ///
@@ -104,7 +104,7 @@ pub enum Effect {
     Say(String),
     /// Print a text that ends with a line break.
     Print(String),
-    /// Make the [`saved`](super::Desk::saved) pictures, write them to a file, and say what became of it.
+    /// Make the pictures at their own size, write them to a file, and say what became of it.
     Save,
     /// End.
     Quit,

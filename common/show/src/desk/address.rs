@@ -6,10 +6,10 @@ use super::OUTSIDE;
 use super::Program;
 use super::Reading;
 use super::Refusal;
-use common::Language;
+use crate::Language;
+use crate::Size;
+use crate::text;
 use common::Pixel;
-use common::Size;
-use common::text;
 
 /// The longest address that is read.
 const LONGEST: usize = 4000;

@@ -1,6 +1,6 @@
 //! The step before beside this one.
 
-use common::magnified;
+use crate::magnified;
 use image::RgbImage;
 
 /// How the step before is compared with.

@@ -2,7 +2,7 @@
 
 use super::Act;
 use super::Reading;
-use common::translated;
+use crate::translated;
 
 /// A key that a shell knows.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]

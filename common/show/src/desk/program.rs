@@ -1,9 +1,9 @@
 //! A step as a program.
 
+use crate::Language;
 use crate::Make;
-use common::Language;
-use common::Size;
-use common::translated;
+use crate::Size;
+use crate::translated;
 
 /// A step as a program, or one of its figures.
 #[derive(Clone)]

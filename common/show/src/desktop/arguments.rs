@@ -16,11 +16,11 @@ use clap::error::ErrorKind;
 use image::ImageFormat;
 use strsim::damerau_levenshtein;
 
-use super::command_line::Suite;
-use common::Language;
-use common::Size;
+use super::suite::Suite;
+use crate::Language;
+use crate::Size;
+use crate::text;
 use common::View;
-use common::text;
 
 /// The most rays a pixel are this many squared.
 pub(super) const MAX_SAMPLES: usize = 16;
@@ -72,17 +72,20 @@ pub(super) fn command(suite: &Suite) -> Command {
         |name, value| Arg::new(name).long(name).value_name(value).allow_hyphen_values(true);
     let mut command = Command::new(suite.name);
     if last > 1 {
-        let compared = ["compare", "check"];
         command = command
             .arg(option("step", "N").value_parser(step))
-            .arg(option("divide", "PART").value_parser(part).conflicts_with_all(compared))
+            .arg(option("divide", "PART").value_parser(part).conflicts_with("compare"))
             .arg(
                 Arg::new("difference")
                     .long("difference")
                     .action(ArgAction::SetTrue)
-                    .conflicts_with_all(compared)
-                    .conflicts_with("divide"),
+                    .conflicts_with_all(["compare", "divide"]),
             );
+    }
+    if suite.exercises.is_some() {
+        let mut others = vec!["size", "camera", "set", "samples", "pixel", "outside", "compare"];
+        others.extend(["divide", "difference"].iter().filter(|_| last > 1));
+        command = command.arg(option("check", "STEP").conflicts_with_all(others));
     }
     if suite.page.is_some() {
         let page = file("page").value_parser(PathBufValueParser::new());
@@ -103,13 +106,7 @@ pub(super) fn command(suite: &Suite) -> Command {
                 .conflicts_with("compare"),
         )
         .arg(file("compare").value_parser(PathBufValueParser::new()).conflicts_with("pixel"))
-        .arg(
-            option("check", "STEP")
-                .conflicts_with_all(["size", "camera", "set", "samples", "pixel", "compare"]),
-        )
         .arg(option("language", "pt|en").value_parser(Language::ALL.map(|(name, _)| name)))
-        // For --check of another step: it asks for pictures on standard input.
-        .arg(Arg::new("cases").long("cases").action(ArgAction::SetTrue).hide(true))
 }
 
 /// The language that `--language` asks for, or else the system's. It is looked for before all other

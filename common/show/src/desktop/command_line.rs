@@ -2,8 +2,6 @@
 
 use std::ffi::OsString;
 use std::fs;
-use std::io;
-use std::io::Write as _;
 use std::path::Path;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -19,11 +17,17 @@ use super::arguments::given;
 use super::arguments::language;
 use super::arguments::refusal;
 use super::arguments::unknown;
-use super::check;
+use super::exercises::Exercises;
+use super::exercises::Verdict;
 use super::file;
 use super::help::help;
 use super::job::Job;
-use super::window;
+use super::said::print;
+use super::said::report;
+use super::said::tell;
+use super::shell;
+use super::suite::Suite;
+use super::window::Window;
 use crate::Act;
 use crate::Desk;
 use crate::Effect;
@@ -31,22 +35,23 @@ use crate::Program;
 use crate::Refusal;
 use crate::Session;
 use crate::SettingError;
-use common::Size;
-use common::check_loop;
-use common::text;
+use crate::Size;
+use crate::check_loop;
+use crate::text;
 
-/// What a command line starts: a step, or the lecture with all steps.
-pub(crate) struct Suite {
-    pub(crate) name: &'static str,
-    /// The line that says what it shows.
-    pub(crate) concept: &'static str,
-    /// At least one.
-    pub(crate) programs: Vec<Program>,
-    /// The web page with all steps, where there is one to be written.
-    pub(crate) page: Option<fn() -> Result<String>>,
+impl Suite {
+    /// Does what a command line says, which begins with the program's own name. The exit status is 0
+    /// when all was done, 1 when it failed or a comparison found a difference, 2 for wrong usage.
+    ///
+    /// # Panics
+    ///
+    /// When there is no program.
+    pub fn run(&self, arguments: impl Iterator<Item = OsString>) -> ExitCode {
+        run(self, arguments)
+    }
 }
 
-pub(crate) fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
+fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
     let arguments: Vec<OsString> = arguments.collect();
     language(&arguments).speak();
     let matches = match command(suite).try_get_matches_from(arguments) {
@@ -65,14 +70,10 @@ pub(crate) fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> E
     if let Err(error) = check_loop(desk.setup().step()) {
         return status(Err(anyhow!(error)));
     }
-    if matches.get_flag("cases") {
-        return status(check::serve(&program.make).map(|()| true));
-    }
-    if let Some(other) = matches.get_one::<String>("check") {
-        if let Err(message) = check::is_step(other) {
-            return usage(&message);
-        }
-        return status(check::check(program, other, matches.get_one::<PathBuf>("output")));
+    if let (Some(other), Some(exercises)) = (given::<String>(&matches, "check"), suite.exercises) {
+        let output = matches.get_one::<PathBuf>("output");
+        let output = output.map_or(Path::new("check.png"), PathBuf::as_path);
+        return check(exercises, program, &other, output);
     }
     let output = matches.get_one::<PathBuf>("output");
     let printed = match arrange(&mut desk, &matches) {
@@ -86,7 +87,7 @@ pub(crate) fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> E
         }
     }
     let desk = desk.sampled(matches.get_one("samples").copied().unwrap_or(1));
-    let job = Job { name: suite.name, session: Session::new(desk) };
+    let job = Job { name: suite.name, exercises: suite.exercises, session: Session::new(desk) };
     if let Some(expected) = matches.get_one::<PathBuf>("compare") {
         if output.is_some_and(|output| file::is_same(output, expected)) {
             return usage(text!("--output names the file to compare, which would be overwritten"));
@@ -99,12 +100,31 @@ pub(crate) fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> E
     }
 }
 
+/// Checks the program of step `other`, and writes to `output` what shows that it is wrong.
+fn check(exercises: &dyn Exercises, program: &Program, other: &str, output: &Path) -> ExitCode {
+    let checked = file::check_destination(output).and_then(|()| exercises.check(program, other));
+    match checked {
+        Ok(Verdict::Unknown(message)) => usage(&message),
+        Ok(Verdict::Right(text)) => status(print(&text).map(|()| true)),
+        Ok(Verdict::Wrong(text, picture)) => {
+            let written = print(&text).and_then(|()| file::save_png(&picture, output));
+            if written.is_ok() {
+                let path = output.display();
+                let written =
+                    text!("expected, found and 8 × their difference written to {path}", path);
+                report(program.name, &written);
+            }
+            status(written.map(|()| false))
+        }
+        Err(error) => status(Err(error)),
+    }
+}
+
 /// Shows it all in a window, or, with no display, writes the picture.
-fn open(job: Job, program: &Program) -> ExitCode {
+fn open(job: Job<'_>, program: &Program) -> ExitCode {
     let desk = job.session.desk();
-    let (size, samples) = (desk.picture_size(), desk.samples());
-    match window::Window::open(&program.title(), size) {
-        Ok(window) => status(window.run(job.session, samples).map(|()| true)),
+    match Window::open(&program.title(), desk.picture_size()) {
+        Ok(window) => status(shell::run(window, job.session).map(|()| true)),
         Err(error) => {
             let name = job.name;
             report(name, &text!("no window ({error}), so the picture goes to a file", error));
@@ -181,36 +201,9 @@ fn write_page(name: &str, path: &Path, page: fn() -> Result<String>) -> Result<(
     Ok(())
 }
 
-/// Prints what was asked for. Whoever closes standard output early has read enough.
-pub(crate) fn print(text: &str) -> Result<()> {
-    let mut output = io::stdout().lock();
-    match output.write_all(text.as_bytes()).and_then(|()| output.flush()) {
-        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-        written => written.context(text!("cannot write to standard output")),
-    }
-}
-
-/// Says on standard error what was done.
-pub(crate) fn report(name: &str, text: &str) {
-    tell(&format!("{name}: {text}"));
-}
-
 fn usage(message: &str) -> ExitCode {
     tell(&text!("error: {message} (--help lists what is possible)", message));
     ExitCode::from(2)
-}
-
-/// One line on standard error, whatever control characters the names and values in it have.
-fn tell(text: &str) {
-    let mut line = String::new();
-    for character in text.chars() {
-        match character.is_control() {
-            true => line.extend(character.escape_default()),
-            false => line.push(character),
-        }
-    }
-    // Without standard error there is nobody to tell.
-    let _ = writeln!(io::stderr(), "{line}");
 }
 
 fn status(done: Result<bool>) -> ExitCode {

@@ -8,11 +8,12 @@ use image::RgbImage;
 use rayon::iter::IndexedParallelIterator;
 use rayon::slice::ParallelSliceMut;
 
+use crate::Canvas;
+use crate::Frame;
+use crate::Language;
+use crate::Setup;
+use crate::Size;
 use common::Camera;
-use common::Canvas;
-use common::Frame;
-use common::Language;
-use common::Size;
 use common::Step;
 
 /// How long the picture is worked on before the window is looked after again.
@@ -142,15 +143,15 @@ impl Drawing {
     }
 
     /// Renders for a slice of time, or until a pass is done; whether one was.
-    pub(crate) fn work(&mut self, step: &dyn Step) -> bool {
+    pub(crate) fn work(&mut self, setup: &Setup) -> bool {
         let start = Instant::now();
         while let Some(mut pass) = self.pass {
-            self.batch(step, &mut pass);
+            self.batch(setup.step(), &mut pass);
             if pass.row == pass.size(self.size).height() {
                 if pass.draft {
                     self.enlarge();
                 }
-                step.draw_over(&*self.camera, &mut Canvas::new(&mut self.picture));
+                setup.draw_over(&*self.camera, &mut self.picture);
                 self.finish(pass);
                 return true;
             }
@@ -240,6 +241,5 @@ pub fn render_parallel(frame: &Frame<'_>, done: impl Fn(usize) + Sync) -> RgbIma
         frame.render_rows(band * rows, rgb);
         done(rgb.len() / row);
     });
-    frame.step.draw_over(frame.camera, &mut Canvas::new(&mut picture));
     picture
 }

@@ -23,9 +23,9 @@ use tempfile::Builder;
 use tempfile::NamedTempFile;
 use tempfile::PersistError;
 
-use common::Size;
-use common::SizeError;
-use common::text;
+use crate::Size;
+use crate::SizeError;
+use crate::text;
 
 /// Whether two names are of the same file.
 pub(crate) fn is_same(a: &Path, b: &Path) -> bool {

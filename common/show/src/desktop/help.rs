@@ -3,16 +3,16 @@
 use std::fmt::Write as _;
 
 use super::arguments::MAX_SAMPLES;
-use super::command_line::Suite;
+use super::suite::Suite;
 use crate::Setting;
 use crate::Setup;
 use crate::keys;
+use crate::text;
+use crate::translated;
 use common::View;
-use common::text;
-use common::translated;
 
 pub(super) fn help(suite: &Suite) -> String {
-    let Suite { name, concept, programs, page } = suite;
+    let Suite { name, concept, programs, page, exercises } = suite;
     let (size, last) = (programs[0].size, programs.len());
     let mut lecture = String::new();
     if last > 1 {
@@ -30,6 +30,15 @@ pub(super) fn help(suite: &Suite) -> String {
       --page FILE         write all steps as one web page, to be opened by a double click"
         );
     }
+    let check = match exercises {
+        None => "",
+        Some(_) => text!(
+            "
+      --check STEP        is STEP's program now this one? compares many pictures, names the
+                          mistake; expected, found and difference go to check.png, or to -o;
+                          exit 1 if they differ; of this step itself, it checks the pixel loop"
+        ),
+    };
     let mut text = text!(
         "{name}: {concept}
 
@@ -48,10 +57,7 @@ Options:
       --outside           with -o, write the camera as it is seen from outside; --set also takes
                           outside.azimuth, outside.elevation and outside.distance
       --compare FILE      render, say how far FILE is from it and where; exit 1 if they differ;
-                          with -o, write expected, found and difference side by side
-      --check STEP        is STEP's program now this one? compares many pictures, names the
-                          mistake; expected, found and difference go to check.png, or to -o;
-                          exit 1 if they differ; of this step itself, it checks the pixel loop{lecture}
+                          with -o, write expected, found and difference side by side{check}{lecture}
       --language pt|en    Portuguese or English; else the system's language
   -h, --help              this text
 
@@ -62,6 +68,7 @@ Controls (default):
         size,
         cameras = View::PROJECTIONS.join(" | "),
         most = MAX_SAMPLES,
+        check,
         lecture
     );
     let mut listed: Vec<String> = Vec::new();

@@ -7,29 +7,28 @@ use anyhow::Context;
 use anyhow::Result;
 use image::RgbImage;
 
-use super::check;
-use super::command_line::print;
-use super::command_line::report;
 use super::drawing::render_parallel;
+use super::exercises::Exercises;
 use super::file;
 use super::progress::Progress;
+use super::said::print;
+use super::said::report;
 use crate::Comparison;
-use crate::Mistake;
-use crate::Pair;
+use crate::Frame;
 use crate::Session;
+use crate::Size;
 use crate::Wanted;
 use crate::side_by_side;
-use common::Frame;
-use common::Size;
-use common::text;
+use crate::text;
 
 /// What is to be made.
-pub(super) struct Job {
+pub(super) struct Job<'a> {
+    pub(super) exercises: Option<&'a dyn Exercises>,
     pub(super) name: &'static str,
     pub(super) session: Session,
 }
 
-impl Job {
+impl Job<'_> {
     /// Writes the picture to the file `path`.
     pub(super) fn write(&self, path: &Path) -> Result<()> {
         let (name, size) = (self.name, self.session.desk().picture_size());
@@ -73,8 +72,8 @@ impl Job {
             let setup = self.session.desk().setup();
             let camera = setup.view().camera(size.aspect());
             let frame = Frame { step: setup.step(), camera: &*camera, size, samples };
-            let pair = Pair { frame, expected: &expected, found: &found };
-            text += &check::said_of(&Mistake::named(&[pair]));
+            let suspect = |known: &dyn Exercises| known.suspect(&frame, &expected, &found);
+            text += &self.exercises.map(suspect).unwrap_or_default();
         }
         print(&text)?;
         let file = file.display();
@@ -96,7 +95,10 @@ impl Job {
         let progress = Progress::new(wanted.len() * size.height());
         let render = |wanted: &Wanted<'_>| {
             let (step, camera) = (wanted.setup.step(), &*wanted.camera);
-            render_parallel(&Frame { step, camera, size, samples }, |rows| progress.add(rows))
+            let frame = Frame { step, camera, size, samples };
+            let mut picture = render_parallel(&frame, |rows| progress.add(rows));
+            wanted.setup.draw_over(camera, &mut picture);
+            picture
         };
         let pictures = wanted.iter().map(render).collect();
         let milliseconds = progress.finish().as_secs_f64() * 1e3;

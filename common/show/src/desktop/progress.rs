@@ -6,7 +6,7 @@ use std::sync::atomic::Ordering;
 use std::time::Duration;
 use std::time::Instant;
 
-use common::text;
+use crate::text;
 
 /// A line on a terminal's standard error for work that takes more than half a second; nothing on a
 /// pipe.

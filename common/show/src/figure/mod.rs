@@ -5,29 +5,30 @@ mod sketch;
 use std::ops::RangeInclusive;
 use std::rc::Rc;
 
+use crate::Anchor;
+use crate::Area;
+use crate::Canvas;
+use crate::Font;
+use crate::Ink;
 use crate::Program;
+use crate::Shown;
 use crate::Sight;
+use crate::Size;
 use crate::control::AXES;
+use crate::translated;
 use common::Adjustable;
-use common::Anchor;
-use common::Area;
 use common::Camera;
-use common::Canvas;
 use common::Color;
 use common::Controls;
-use common::Font;
 use common::Image;
-use common::Ink;
 use common::Kind;
 use common::Pixel;
 use common::Ray;
 use common::Recorder;
-use common::Size;
 use common::Step;
 use common::Value;
 use common::Vec3;
 use common::View;
-use common::translated;
 
 pub use sketch::Axes;
 pub use sketch::Sketch;
@@ -152,7 +153,7 @@ impl Program {
         path: &'static str, concept: &'static str, figure: fn() -> Figure<L>,
     ) -> Self {
         let name = path.rsplit("::").next().unwrap_or(path);
-        let make = Rc::new(move || Box::new(figure()) as Box<dyn Step>);
+        let make = Rc::new(move || Box::new(figure()) as Box<dyn Shown>);
         Self { is_figure: true, ..Self::new(name, concept, figure().size(), make) }
     }
 }
@@ -331,6 +332,23 @@ impl<L: Step + Clone> Step for Figure<L> {
         }
     }
 
+    /// What the lesson tells of the pixel that is there in the panel.
+    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color {
+        let Pixel { col, row, width, height } = pixel;
+        for (_, area, camera, lesson) in self.panels(camera, width, height) {
+            let [left, top, width, height] = pixels(area);
+            let (col, row) = (col.wrapping_sub(left), row.wrapping_sub(top));
+            if col < width && row < height {
+                lesson.tell(&camera, Pixel { col, row, width, height }, say);
+            }
+        }
+        let mut colors = vec![Color::ZERO; width];
+        self.render(camera, &mut Image::new(width, height, row, &mut colors));
+        colors[col]
+    }
+}
+
+impl<L: Step + Clone> Shown for Figure<L> {
     fn draw_over(&self, camera: &dyn Camera, canvas: &mut Canvas<'_>) {
         let Area { width, height, .. } = canvas.area();
         let size = self.text_size(width);
@@ -345,20 +363,5 @@ impl<L: Step + Clone> Step for Figure<L> {
                 canvas.text(at, Anchor::Center, size, Ink::WHITE, label);
             }
         }
-    }
-
-    /// What the lesson tells of the pixel that is there in the panel.
-    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color {
-        let Pixel { col, row, width, height } = pixel;
-        for (_, area, camera, lesson) in self.panels(camera, width, height) {
-            let [left, top, width, height] = pixels(area);
-            let (col, row) = (col.wrapping_sub(left), row.wrapping_sub(top));
-            if col < width && row < height {
-                lesson.tell(&camera, Pixel { col, row, width, height }, say);
-            }
-        }
-        let mut colors = vec![Color::ZERO; width];
-        self.render(camera, &mut Image::new(width, height, row, &mut colors));
-        colors[col]
     }
 }

@@ -1,5 +1,10 @@
 use std::ops::Range;
 
+use crate::Anchor;
+use crate::Area;
+use crate::Canvas;
+use crate::Font;
+use crate::Ink;
 use crate::Mark;
 use crate::MarkShape;
 use crate::Outside;
@@ -7,17 +12,12 @@ use crate::Sight;
 use crate::marks;
 use crate::pen::Pen;
 use crate::sight::explain_ray;
+use crate::translated;
 use crate::vectors::draw_marks;
-use common::Anchor;
-use common::Area;
-use common::Canvas;
 use common::Color;
-use common::Font;
-use common::Ink;
 use common::Ray;
 use common::Vec3;
 use common::View;
-use common::translated;
 
 /// Lines of a plot, and what its numbers are written with.
 const GRID: Ink = Ink::grey(52);

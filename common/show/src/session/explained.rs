@@ -1,17 +1,18 @@
 //! The rows of a pixel's explanation.
 
-use super::panel::FAINT;
-use super::panel::Fold;
-use super::panel::Row;
+use super::row::FAINT;
+use super::row::Fold;
+use super::row::Row;
+use crate::encode;
 use crate::symbol_ink;
+use crate::texts;
+use crate::translated;
 use common::Explanation;
 use common::Line;
 use common::Outcome;
 use common::Part;
 use common::Scope;
 use common::Value;
-use common::encode;
-use common::translated;
 
 /// An explanation as it is read.
 pub(super) struct Told<'a> {
@@ -67,7 +68,7 @@ impl Told<'_> {
                 Part::Line(line) => {
                     let equation = translated(line.equation);
                     let ink = symbol_ink(line.symbol()).unwrap_or(FAINT);
-                    let (values, new) = (line.value.texts(), self.is_new(section, line));
+                    let (values, new) = (texts(&line.value), self.is_new(section, line));
                     rows.push(Row::Line { equation, ink, values, new });
                 }
                 Part::Scope(inner) => {
@@ -78,7 +79,7 @@ impl Told<'_> {
                         Outcome::Told => String::new(),
                         Outcome::Missed(why, _) => translated(why).to_owned(),
                         Outcome::Closest(t) | Outcome::Farther(t) => {
-                            format!("t = {}", Value::Number(t).texts().concat().trim())
+                            format!("t = {}", texts(&Value::Number(t)).concat().trim())
                         }
                     };
                     let faint = !inner.is_open();

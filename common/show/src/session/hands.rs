@@ -4,7 +4,7 @@ use std::mem;
 
 use super::Session;
 use super::layout::Layout;
-use super::panel::Target;
+use super::row::Target;
 use crate::Act;
 use crate::Compare;
 use crate::Effect;

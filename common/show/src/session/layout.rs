@@ -1,7 +1,7 @@
 //! Where things have their place in a window.
 
-use common::Area;
-use common::Size;
+use crate::Area;
+use crate::Size;
 
 /// The em of the text, of the window's height: then a capital letter is 2.8 % of it high.
 const TEXT: f32 = 0.0385;

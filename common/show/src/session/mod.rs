@@ -5,28 +5,29 @@ mod hands;
 mod layout;
 mod paint;
 mod panel;
+mod row;
 mod rows;
 mod written;
 
 use std::mem;
 
 use crate::Act;
+use crate::Area;
 use crate::Desk;
 use crate::Does;
 use crate::Effect;
 use crate::Hand;
 use crate::Key;
 use crate::Reading;
+use crate::Size;
 use crate::desk::does;
-use common::Area;
-use common::Size;
-use common::text;
+use crate::text;
 use hands::Held;
 use layout::Layout;
 use layout::Wishes;
-use panel::Fold;
-use panel::Row;
-use panel::Target;
+use row::Fold;
+use row::Row;
+use row::Target;
 
 /// What a session is told.
 #[derive(Clone, Debug, PartialEq)]

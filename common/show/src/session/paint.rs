@@ -4,24 +4,24 @@ use image::RgbImage;
 
 use super::Session;
 use super::layout::Layout;
-use super::panel::ACCENT;
-use super::panel::BACKGROUND;
-use super::panel::FAINT;
-use super::panel::TEXT;
-use super::panel::draw_text;
+use super::row::ACCENT;
+use super::row::BACKGROUND;
+use super::row::FAINT;
+use super::row::TEXT;
+use super::row::draw_text;
+use crate::Anchor;
+use crate::Area;
+use crate::Canvas;
 use crate::Compare;
+use crate::Font;
+use crate::Ink;
 use crate::Program;
+use crate::count_off;
 use crate::over::draw_marks;
-use common::Anchor;
-use common::Area;
-use common::Canvas;
-use common::Font;
-use common::Ink;
-use common::count_off;
-use common::text;
+use crate::text;
 
 impl Session {
-    /// Paints a window: the [`pictures`](Self::pictures), which may still be of another size, with
+    /// Paints a window: the desk's [`pictures`](crate::Desk::pictures), which may still be of another size, with
     /// all that there is to be seen beside and over them. `status` is a word on how the pictures
     /// were made.
     pub fn paint(&self, window: &mut RgbImage, pictures: &[&RgbImage], status: &str) {

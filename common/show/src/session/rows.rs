@@ -2,18 +2,18 @@
 
 use super::Session;
 use super::explained::Told;
-use super::panel::ACCENT;
-use super::panel::ADDED;
-use super::panel::FAINT;
-use super::panel::Fold;
 use super::panel::Panel;
-use super::panel::Row;
-use super::panel::TEXT;
+use super::row::ACCENT;
+use super::row::ADDED;
+use super::row::FAINT;
+use super::row::Fold;
+use super::row::Row;
+use super::row::TEXT;
 use crate::Group;
+use crate::Ink;
 use crate::Reading;
 use crate::desk::table;
-use common::Ink;
-use common::translated;
+use crate::translated;
 
 /// What a diff takes away.
 const REMOVED: Ink = Ink::new(255, 160, 150);

@@ -1,6 +1,6 @@
-use crate::Color;
+use crate::decode;
 use crate::encode;
-use crate::srgb::decode;
+use common::Color;
 
 /// What a [`Canvas`](super::Canvas) draws with: an 8-bit sRGB colour, and how much it covers what
 /// is under it.

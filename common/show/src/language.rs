@@ -1,3 +1,5 @@
+//! The languages in which all is said.
+
 use std::cell::Cell;
 use std::collections::HashMap;
 use std::fmt::Display;

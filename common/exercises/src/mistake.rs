@@ -1,30 +1,30 @@
 //! What a mistake that is known makes of a picture, and which one a picture shows.
 
-mod known;
-
 use std::fmt;
 
 use image::Rgb;
 use image::RgbImage;
 
-use crate::TOLERANCE;
-use crate::sight::first_hit;
+use crate::known;
+use crate::known::center;
+use crate::said::added;
+use crate::said::told;
+use crate::symbol::VISIBLE;
 use common::Camera;
 use common::Color;
 use common::Explanation;
-use common::Frame;
 use common::Pixel;
 use common::Place;
 use common::Ray;
 use common::Recorder;
 use common::Slip;
 use common::Step;
-use common::encode;
-use common::off;
-use common::translated;
-use known::VISIBLE;
-use known::added;
-use known::center;
+use show::Frame;
+use show::TOLERANCE;
+use show::encode;
+use show::first_hit;
+use show::off;
+use show::translated;
 
 /// A mistake that the lecture knows: what is wrong, and where to look.
 ///
@@ -38,11 +38,11 @@ pub struct Mistake {
     pub slide: &'static str,
     /// Where to look.
     pub place: &'static str,
-    kind: Kind,
+    pub(crate) kind: Kind,
 }
 
 #[derive(Debug)]
-enum Kind {
+pub(crate) enum Kind {
     /// The ray goes through this (u, v), not through the pixel's centre.
     Mapped(fn(Pixel) -> (f32, f32)),
     /// A value told is another.
@@ -135,7 +135,7 @@ impl Mistake {
             Kind::Told(slip) => seen(step, ray, pixel, &[slip]).color,
             Kind::Mapped(_) | Kind::Encoded(_) => seen(step, ray, pixel, &[]).color,
             Kind::Blocked(range) => {
-                let said = seen(step, ray, pixel, &[VISIBLE]);
+                let said = seen(step, ray, pixel, &[told!(|_| VISIBLE(_) => 1.0)]);
                 let mut color = said.color;
                 for light in said.told.all() {
                     let ray = light.lines().find_map(|line| match line.place {
@@ -156,7 +156,7 @@ impl Mistake {
 }
 
 /// The picture of `frame` with one ray a pixel, through its centre whatever the pixel loop does.
-pub fn centered(frame: &Frame<'_>) -> RgbImage {
+pub(crate) fn centered(frame: &Frame<'_>) -> RgbImage {
     let (width, height) = (frame.size.width(), frame.size.height());
     RgbImage::from_fn(width as u32, height as u32, |col, row| {
         let pixel = Pixel { col: col as usize, row: row as usize, width, height };

@@ -1,9 +1,11 @@
+//! From radiance to what a screen shows.
+
 use std::sync::LazyLock;
 
-use crate::Color;
+use common::Color;
 
 /// The linear value of an sRGB one, both 0 to 1 (IEC 61966-2-1).
-pub(crate) fn decode(s: f64) -> f64 {
+pub fn decode(s: f64) -> f64 {
     if s <= 0.04045 { s / 12.92 } else { ((s + 0.055) / 1.055).powf(2.4) }
 }
 

@@ -5,13 +5,12 @@ use std::str::FromStr;
 
 use image::RgbImage;
 
-use crate::Camera;
-use crate::Canvas;
-use crate::Color;
-use crate::Image;
-use crate::Step;
 use crate::encode;
 use crate::text;
+use common::Camera;
+use common::Color;
+use common::Image;
+use common::Step;
 
 /// Width and height of a picture, in pixels: each from 1 to [`MAX_SIDE`](Self::MAX_SIDE),
 /// together at most [`MAX_PIXELS`](Self::MAX_PIXELS) pixels.
@@ -165,8 +164,7 @@ impl Frame<'_> {
         (Self::MOST_COLORS / colors_a_row).clamp(1, self.size.height())
     }
 
-    /// Renders rows into `rgb`, three bytes a pixel, from `first_row` on, as many as fit. When all
-    /// are there, [`Step::draw_over`] comes next.
+    /// Renders rows into `rgb`, three bytes a pixel, from `first_row` on, as many as fit.
     ///
     /// With N samples the step renders a picture N times as wide and high, and each pixel is the
     /// mean of N × N of its pixels, taken before encoding.
@@ -203,7 +201,6 @@ impl Frame<'_> {
     pub fn render(&self) -> RgbImage {
         let mut picture = RgbImage::new(self.size.width as u32, self.size.height as u32);
         self.render_rows(0, &mut picture);
-        self.step.draw_over(self.camera, &mut Canvas::new(&mut picture));
         picture
     }
 }

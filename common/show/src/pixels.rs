@@ -1,3 +1,5 @@
+//! Pixels of two pictures side by side, and packed.
+
 use image::RgbImage;
 
 /// How far the channel is off that is furthest, in steps of 1/255.

@@ -1,0 +1,284 @@
+//! The mistakes that the lecture knows, by slide and place.
+
+use std::f32::consts::PI;
+
+use crate::mistake::Kind;
+use crate::mistake::Mistake;
+use crate::said::ahead;
+use crate::said::told;
+use crate::symbol::*;
+use common::Color;
+use common::Pixel;
+
+macro_rules! kind {
+    (told $($slip:tt)*) => { Kind::Told(told!($($slip)*)) };
+    (mapped $place:expr) => { Kind::Mapped($place) };
+    (blocked $range:expr) => { Kind::Blocked($range) };
+    (encoded $encoding:expr) => { Kind::Encoded($encoding) };
+}
+
+/// By slide and place: what is wrong, and how a step is made to do it.
+macro_rules! known {
+    ($($slide:literal, $place:literal { $($what:literal => $kind:ident($($how:tt)*);)* })*) => {
+        &[$($(Mistake {
+            what: $what,
+            slide: $slide,
+            place: $place,
+            kind: kind!($kind $($how)*),
+        },)*)*]
+    };
+}
+
+#[rustfmt::skip]
+pub(crate) const ALL: &[Mistake] = known! {
+    "Mapeamento", "viewing_ray in render.rs" {
+        "The ½ is missing: (u, v) is the pixel's corner, not its centre" =>
+            mapped(|pixel| grid(pixel, 0.0, 0.0));
+        "The ½ is missing from u" =>
+            mapped(|pixel| (grid(pixel, 0.0, 0.0).0, center(pixel).1));
+        "The ½ is missing from v" =>
+            mapped(|pixel| (center(pixel).0, grid(pixel, 0.0, 0.0).1));
+        "(u, v) is the pixel's lower right corner, not its centre" =>
+            mapped(|pixel| grid(pixel, 1.0, 0.0));
+        "(u, v) is the pixel's lower left corner, not its centre" =>
+            mapped(|pixel| (grid(pixel, 0.0, 0.0).0, grid(pixel, 1.0, 0.0).1));
+        "It divides by width − 1 and height − 1, not by width and height" =>
+            mapped(|pixel| grid(pixel, 0.0, 1.0));
+        "The ½ is added, but it divides by width − 1 and height − 1" =>
+            mapped(|pixel| grid(pixel, 0.5, 1.0));
+        "u and v are exchanged" =>
+            mapped(|pixel| { let (u, v) = center(pixel); (v, u) });
+        "Columns and rows are exchanged" =>
+            mapped(|pixel| { let (u, v) = center(pixel); (1.0 - v, 1.0 - u) });
+        "The picture is upside down: v = 1 − (row + ½)/height" =>
+            mapped(|pixel| { let (u, v) = center(pixel); (u, 1.0 - v) });
+        "The picture is mirrored: u = (col + ½)/width" =>
+            mapped(|pixel| { let (u, v) = center(pixel); (1.0 - u, v) });
+        "The picture is turned by 180°: u grows to the right, v upwards" =>
+            mapped(|pixel| { let (u, v) = center(pixel); (1.0 - u, 1.0 - v) });
+        "u and v go from −1 to 1, not from 0 to 1" =>
+            mapped(|pixel| { let (u, v) = center(pixel); (2.0 * u - 1.0, 2.0 * v - 1.0) });
+    }
+    "Raios", "trace in lib.rs" {
+        "The colour is d itself, not ½ + d/2, so that all that is negative is black" =>
+            told(|said| RADIANCE(_) => said.viewing_ray()?.direction);
+    }
+    "Algoritmo de ray tracing", "where a pixel is written" {
+        "The picture is not sRGB-encoded" =>
+            encoded(|color| color);
+        "The picture is sRGB-encoded twice" =>
+            encoded(|color| srgb(srgb(color)));
+        "The picture is encoded by a square root, not as sRGB" =>
+            encoded(|color| color.powf(0.5));
+        "The picture is encoded by the power 1/2.2, not as sRGB" =>
+            encoded(|color| color.powf(1.0 / 2.2));
+        "Red and blue are exchanged" =>
+            encoded(|color| srgb(Color::new(color.z, color.y, color.x)));
+        "Red and green are exchanged (of a triangle: α and β)" =>
+            encoded(|color| srgb(Color::new(color.y, color.x, color.z)));
+        "Green and blue are exchanged (of a triangle: β and γ)" =>
+            encoded(|color| srgb(Color::new(color.x, color.z, color.y)));
+    }
+    "Intersecção entre raio e esfera", "intersect in sphere.rs" {
+        "t > 0 is not asked: what is behind the eye is seen too" =>
+            told(|said|
+                T_1(t) => ahead(t),
+                T(t) => ahead(t),
+                POINT(_) => said.viewing_ray()?.at(said.root(-1.0)?));
+        "The roots are in the wrong order: the larger t is tried first" =>
+            told(|said| T_1(_) => said.root(1.0)?, T_2(_) => said.root(-1.0)?);
+        "Only the smaller root is tried: from inside a sphere the larger one is seen" =>
+            told(|_| T_2(_) => -1.0);
+        "Only the larger root is tried" =>
+            told(|_| T_1(_) => -1.0);
+        "The sign in the discriminant is wrong: it is b² − a c" =>
+            told(|said| D(d) => { let (b_squared, a_c) = said.squares(d)?; b_squared + a_c });
+        "b² − 4 a c belongs to a t² + b t + c, not to a t² + 2 b t + c" =>
+            told(|said| D(d) => { let (b_squared, a_c) = said.squares(d)?; b_squared - 4.0 * a_c });
+        "b = 2 d·p goes with b² − 4 a c and 2 a, not with b² − a c and a" =>
+            told(|said|
+                D(d) => { let (b_squared, a_c) = said.squares(d)?; 4.0 * b_squared - a_c },
+                T_1(_) => said.root(-1.0)? - said.get(B)? / said.get(A)?,
+                T_2(_) => said.root(1.0)? - said.get(B)? / said.get(A)?);
+        "The radius is not squared: D = a (radius² − q²)" =>
+            told(|said| D(d) => {
+                let radius = said.radius_squared(d)?.max(0.0).sqrt();
+                said.get(A)? * (radius - said.get(Q_SQUARED)?)
+            });
+        "The sphere's centre is not subtracted: p is ray.origin − center" =>
+            told(|said|
+                B(_) => { let ray = said.viewing_ray()?; ray.direction.dot(ray.origin) },
+                Q_SQUARED(_) => said.viewing_ray()?.at(-said.get(B)? / said.get(A)?).length_squared());
+        "A sphere's normal is not of unit length: divide point − center by the radius" =>
+            told(|said| NORMAL(normal) => normal * said.radius_squared(said.get(D)?)?.sqrt());
+    }
+    "Intersecção entre raio e triângulo", "solve in triangle.rs" {
+        "A triangle's normal is not of unit length: normalise (b − a) × (c − a)" =>
+            told(|said| NORMAL(normal) => {
+                said.get(T)?;
+                normal * said.get(D)? / normal.dot(said.viewing_ray()?.direction)
+            });
+        "β has the wrong sign" => told(|_| BETA(beta) => -beta);
+        "γ has the wrong sign" => told(|_| GAMMA(gamma) => -gamma);
+        "t has the wrong sign" => told(|_| T(t) => -t);
+        "A triangle is seen from one side only: D may have either sign" =>
+            told(|said| T(t) => if said.get(D)? > 0.0 { -1.0 } else { t });
+        "A triangle is seen from one side only: D may have either sign" =>
+            told(|said| T(t) => if said.get(D)? < 0.0 { -1.0 } else { t });
+    }
+    "Ponto pertencente à triângulo", "solve in triangle.rs" {
+        "α ≥ 0 is not asked: the triangle is a parallelogram" =>
+            told(|_| ALPHA(alpha) => alpha.max(0.0));
+        "β ≥ 0 is not asked" =>
+            told(|said|
+                BETA(beta) => beta.max(0.0), ALPHA(_) => said.alpha()?, POINT(_) => said.on_plane()?);
+        "γ ≥ 0 is not asked" =>
+            told(|said|
+                GAMMA(gamma) => gamma.max(0.0), ALPHA(_) => said.alpha()?, POINT(_) => said.on_plane()?);
+        "Whether the point is inside is not asked: the whole plane is seen" =>
+            told(|said|
+                BETA(beta) => beta.max(0.0),
+                GAMMA(gamma) => gamma.max(0.0),
+                ALPHA(_) => said.alpha()?.max(0.0),
+                POINT(_) => said.on_plane()?);
+    }
+    "Intersecção de raios em software", "intersect in scene.rs" {
+        "t_max stays as it was: the last hit wins, not the closest" =>
+            told(|_| T_MAX(_) => f32::INFINITY);
+        "The first hit wins, not the closest" => told(|_| T_MAX(_) => 0.0);
+        "The background is black" => told(|_| BACKGROUND(_) => Color::ZERO);
+    }
+    "Reflexão Lambertiana", "shade in material.rs" {
+        "n is not turned to the viewer: where n·v < 0 it is −n" =>
+            told(|said| N(_) => said.seen(NORMAL)?);
+        "n or l points the other way: n goes to the viewer, l from the point to the light" =>
+            told(|_| N_DOT_L(n_dot_l) => -n_dot_l);
+        "L_d is too large by a factor r: l is not of unit length, or I is divided by r, not by r²" =>
+            told(|said|
+                L_D(_) => said.reflected(said.n_dot(said.to_light()?)?.max(0.0))?,
+                N_DOT_H(_) =>
+                    said.n_dot((said.to_light()? + said.get(TO_VIEWER)?).normalize_or_zero())?);
+        "l is the light's position, not the vector from the point to the light" =>
+            told(|said| L_D(_) => {
+                let l = (said.seen(POINT)? + said.to_light()?).normalize_or_zero();
+                said.reflected(said.n_dot(l)?.max(0.0))?
+            });
+        "max(0, n·l) is n·l alone: lights from behind take light away" =>
+            told(|said| L_D(_) => said.reflected(said.get(N_DOT_L)?)?);
+        "It is |n·l|, not max(0, n·l)" =>
+            told(|said| L_D(_) => said.reflected(said.get(N_DOT_L)?.abs())?);
+        "n·l is missing: light from all angles counts alike" =>
+            told(|said| L_D(_) => said.reflected(1.0)?);
+        "n·l is missing, although lights from behind do not count" =>
+            told(|said| L_D(_) => said.reflected(f32::from(said.get(N_DOT_L)? > 0.0))?);
+        "n·l is squared" =>
+            told(|said| L_D(l_d) => said.get(N_DOT_L)?.max(0.0) * l_d);
+        "k_d is missing" => told(|_| K_D(_) => Color::ONE);
+        "L_d is divided by π, which I already has in it" =>
+            told(|_| L_D(l_d) => l_d / PI);
+    }
+    "Atenuação por distância", "shade in material.rs" {
+        "The light's intensity I is missing" =>
+            told(|said| IRRADIANCE(_) => 1.0 / said.get(R_SQUARED)?);
+        "I is not divided by r²: light does not weaken with the distance" =>
+            told(|said| IRRADIANCE(irradiance) => irradiance * said.get(R_SQUARED)?);
+        "L_d is too large by a factor r: l is not of unit length, or I is divided by r, not by r²" =>
+            told(|said| IRRADIANCE(irradiance) => irradiance * said.get(R_SQUARED)?.sqrt());
+        "I is divided by r⁴: r² is squared once more" =>
+            told(|said| IRRADIANCE(irradiance) => irradiance / said.get(R_SQUARED)?);
+        "I is divided by 4π r², as if it were a power" =>
+            told(|_| IRRADIANCE(irradiance) => irradiance / (4.0 * PI));
+    }
+    "Sombras", "is_blocked in scene.rs" {
+        "There are no shadows: V is always 1" => told(|_| VISIBLE(_) => 1.0);
+        "It is the wrong way round: V is 1 where something blocks the light" =>
+            told(|_| VISIBLE(v) => 1.0 - v);
+        "ε is 0: surfaces shadow themselves" => blocked(|_| (0.0, 1.0));
+        "The shadow ray does not end at the light (t = 1): what is behind the light blocks it" =>
+            blocked(|_| (1e-3, f32::INFINITY));
+        "The shadow ray's direction has unit length, but it ends at t = 1: that is not the light" =>
+            blocked(|length| (1e-3 / length, 1.0 / length));
+    }
+    "Múltiplas luzes", "shade in scene.rs" {
+        "Of the lights after one that is blocked none is asked" =>
+            told(|said| VISIBLE(v) => if said.lights_seen() < said.lights().len() { 0.0 } else { v });
+        "The first light is left out" =>
+            told(|said| VISIBLE(v) => if said.lights().is_empty() { 0.0 } else { v });
+        "The second light is left out" =>
+            told(|said| VISIBLE(v) => if said.lights().len() == 1 { 0.0 } else { v });
+        "The light is the mean of all lights, not their sum" =>
+            told(|said| RADIANCE(l) => {
+                let ambient = said.ambient()?;
+                ambient + (l - ambient) / said.lights().len().max(1) as f32
+            });
+    }
+    "Illuminação ambiente", "shade in scene.rs" {
+        "The ambient term L_a is missing" => told(|_| L_A(_) => Color::ZERO);
+        "The ambient term is I_a alone, without k_a" => told(|_| K_A(_) => Color::ONE);
+        "The ambient term is k_a alone, without I_a" => told(|_| I_A(_) => 1.0);
+        "The ambient term is added once for each light" =>
+            told(|said| RADIANCE(l) => l + (said.lights().len() as f32 - 1.0) * said.ambient()?);
+        "The ambient term is added once for each light that is seen" =>
+            told(|said| RADIANCE(l) => l + (said.lights_seen() as f32 - 1.0) * said.ambient()?);
+        "The ambient term is multiplied, not added" =>
+            told(|said| RADIANCE(l) => (l - said.ambient()?) * said.ambient()?);
+    }
+    "Somando as contribuições", "shade in material.rs" {
+        "The specular term L_s is missing" => told(|_| L_S(_) => Color::ZERO);
+        "The diffuse term L_d is missing" => told(|_| L_D(_) => Color::ZERO);
+        "k_s is missing" => told(|_| K_S(_) => 1.0);
+        "The highlight is not multiplied by I/r²" =>
+            told(|said| L_S(l_s) => l_s / said.get(IRRADIANCE)?);
+        "The highlight is multiplied by I, not by I/r²" =>
+            told(|said| L_S(l_s) => l_s * said.get(R_SQUARED)?);
+        "The highlight is multiplied by n·l, too" =>
+            told(|said| L_S(l_s) => l_s * said.get(N_DOT_L)?.max(0.0));
+        "The highlight has the surface's colour, k_d, not the light's" =>
+            told(|said| L_S(l_s) => l_s * said.get(K_D)?);
+    }
+    "Modelo Blinn-Phong", "shade in material.rs" {
+        "The highlight is Phong's, v_r·v, not Blinn-Phong's, n·h" =>
+            told(|said| N_DOT_H(_) => said.v_r()?.dot(said.get(TO_VIEWER)?));
+        "h is not of unit length: divide v + l by its length" =>
+            told(|said| N_DOT_H(_) => said.n_dot(said.v_plus_l()?)?);
+        "h is (v + l)/2, not of unit length: divide v + l by its length" =>
+            told(|said| N_DOT_H(_) => said.n_dot(said.v_plus_l()? / 2.0)?);
+        "v points from the eye to the surface: it is −d, normalised" =>
+            told(|_| TO_VIEWER(v) => -v);
+        "v points from the eye to the surface: it is −d, normalised" =>
+            told(|said| N_DOT_H(_) =>
+                said.n_dot((said.get(TO_LIGHT)? - said.get(TO_VIEWER)?).normalize_or_zero())?);
+        "cos α is n·v, not n·h" => told(|said| N_DOT_H(_) => said.n_dot(said.get(TO_VIEWER)?)?);
+        "cos α is n·l, not n·h" => told(|said| N_DOT_H(_) => said.get(N_DOT_L)?);
+        "cos α is v·l, not n·h" =>
+            told(|said| N_DOT_H(_) => said.get(TO_VIEWER)?.dot(said.get(TO_LIGHT)?));
+        "cos α is l·h, not n·h" => told(|said| N_DOT_H(_) => said.get(TO_LIGHT)?.dot(said.get(H)?));
+        "p is too small by a factor 4" => told(|_| EXPONENT(p) => p / 4.0);
+        "p is too large by a factor 4" => told(|_| EXPONENT(p) => 4.0 * p);
+        "p is too small by a factor 2" => told(|_| EXPONENT(p) => p / 2.0);
+        "The exponent p is missing" => told(|_| EXPONENT(_) => 1.0);
+    }
+    "Reflexão", "shade in material.rs" {
+        "A light behind the surface has a highlight too: ask for n·l > 0" =>
+            told(|_| N_DOT_L(n_dot_l) => n_dot_l.max(1e-9));
+    }
+};
+
+/// The (u, v) of a place in a pixel: `offset` from its upper left corner, and with `less` than all
+/// columns and rows taken for the whole.
+fn grid(pixel: Pixel, offset: f32, less: f32) -> (f32, f32) {
+    let Pixel { col, row, width, height } = pixel;
+    let share = |index: usize, of: usize| (index as f32 + offset) / (of as f32 - less).max(1.0);
+    (share(col, width), 1.0 - share(row, height))
+}
+
+/// The (u, v) of a pixel's centre.
+pub(crate) fn center(pixel: Pixel) -> (f32, f32) {
+    grid(pixel, 0.5, 0.0)
+}
+
+/// By the formula, since it may be the encoding that is broken.
+fn srgb(color: Color) -> Color {
+    let bright = 1.055 * color.powf(1.0 / 2.4) - 0.055;
+    Color::select(color.cmple(Color::splat(0.0031308)), 12.92 * color, bright)
+}

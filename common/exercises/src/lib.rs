@@ -1,0 +1,69 @@
+//! What is known of solutions of the exercises. This alone knows the lesson and what shows it: its
+//! slides, symbols, files and settings, the mistakes that are made in it, and how to find them.
+
+#![cfg(not(target_family = "wasm"))]
+
+mod case;
+mod check;
+mod known;
+mod mistake;
+mod other;
+mod said;
+mod symbol;
+mod workspace;
+
+use std::env;
+use std::process::ExitCode;
+use std::rc::Rc;
+
+use anyhow::Result;
+use image::RgbImage;
+
+use common::Step;
+pub use mistake::Mistake;
+pub use mistake::Pair;
+use show::Exercises;
+use show::Frame;
+use show::Lesson;
+use show::Program;
+use show::Shown;
+use show::Size;
+use show::Suite;
+use show::Verdict;
+pub use symbol::SYMBOLS;
+
+/// What a step's `main` runs: the command line, and what it asks for.
+///
+/// `name` is the step's package, `concept` the line that says what it teaches. The exit status is
+/// 0 when all was done, 1 when it failed or a comparison found a difference, 2 for wrong usage.
+pub fn main<S: Step + Default + 'static>(name: &'static str, concept: &'static str) -> ExitCode {
+    let make = Rc::new(|| Box::new(Lesson(Box::new(S::default()))) as Box<dyn Shown>);
+    let programs = vec![Program::new(name, concept, Size::DEFAULT, make)];
+    Suite { name, concept, programs, page: None, exercises: Some(&Known) }.run(env::args_os())
+}
+
+/// What the lecture's `main` runs: a step's command line with one more option, the step, and one
+/// window for all of them. `page` makes the web page that has them all; the rest is as in [`main`].
+///
+/// # Panics
+///
+/// When there is no program.
+pub fn lecture(
+    name: &'static str, concept: &'static str, programs: Vec<Program>, page: fn() -> Result<String>,
+) -> ExitCode {
+    let (page, exercises) = (Some(page), Some(&Known as &dyn Exercises));
+    Suite { name, concept, programs, page, exercises }.run(env::args_os())
+}
+
+/// All that is known.
+struct Known;
+
+impl Exercises for Known {
+    fn suspect(&self, frame: &Frame<'_>, expected: &RgbImage, found: &RgbImage) -> String {
+        check::said_of(&Mistake::named(&[Pair { frame: *frame, expected, found }]))
+    }
+
+    fn check(&self, program: &Program, name: &str) -> Result<Verdict> {
+        check::check(program, name)
+    }
+}

@@ -1,0 +1,86 @@
+//! The workspace of the steps, and how cargo builds one of them.
+
+use std::env;
+use std::ffi::OsString;
+use std::fs;
+use std::path::Path;
+use std::path::PathBuf;
+use std::process::Command;
+use std::process::Stdio;
+
+use anyhow::Context;
+use anyhow::Result;
+use anyhow::bail;
+
+use show::text;
+
+/// The folder that holds the steps.
+pub(crate) struct Workspace {
+    root: PathBuf,
+}
+
+impl Workspace {
+    /// That in which the current folder lies, or else that in which this program does.
+    ///
+    /// # Errors
+    ///
+    /// When neither lies in one: where they lie.
+    pub(crate) fn find() -> Result<Self> {
+        let folder = env::current_dir().context(text!("there is no current folder"))?;
+        let program = env::current_exe().unwrap_or_default();
+        let mut above = folder.ancestors().chain(program.ancestors());
+        match above.find(|root| !steps_in(root).is_empty()) {
+            Some(root) => Ok(Self { root: root.to_owned() }),
+            None => bail!(text!(
+                "the steps are found neither in {folder} nor above it, nor above {program}: run it in \
+                 their folder",
+                folder = folder.display(),
+                program = program.display()
+            )),
+        }
+    }
+
+    /// The steps' names, in order.
+    pub(crate) fn steps(&self) -> Vec<String> {
+        steps_in(&self.root)
+    }
+
+    /// Builds the program of the step `name`, and says where it then is.
+    pub(crate) fn build(&self, name: &str) -> Result<PathBuf> {
+        let cargo = env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo"));
+        let mut build = Command::new(cargo);
+        build.args(["build", "--quiet", "--message-format", "json-render-diagnostics"]);
+        build.args(["--package", name, "--bin", name]);
+        build.arg("--manifest-path").arg(self.root.join("Cargo.toml"));
+        let built = build.stderr(Stdio::inherit()).output();
+        let built = built.context(text!("cannot run cargo, which has to build the other step"))?;
+        if !built.status.success() {
+            bail!(text!(
+                "{name} does not compile: what cargo says of it stands above; begin with the first",
+                name
+            ));
+        }
+        let messages = String::from_utf8_lossy(&built.stdout);
+        let program = messages.lines().rev().find_map(executable);
+        program.with_context(|| text!("cannot run {name}", name))
+    }
+}
+
+/// The names of the steps whose packages lie in the workspace `root`, in order.
+fn steps_in(root: &Path) -> Vec<String> {
+    let is_package = |folder: &Path| folder.join("Cargo.toml").is_file();
+    let folders = fs::read_dir(root).into_iter().flatten().flatten();
+    let names = folders.filter_map(|folder| folder.file_name().into_string().ok());
+    let is_step = |name: &String| name.starts_with("step") && is_package(&root.join(name));
+    let mut steps: Vec<String> = names.filter(is_step).filter(|_| is_package(root)).collect();
+    steps.sort();
+    steps
+}
+
+/// The path of the program that cargo's `message` says it has built. The whole language of JSON
+/// would take longer to compile than all of this: in paths only a backslash is written otherwise.
+fn executable(message: &str) -> Option<PathBuf> {
+    let (_, rest) = message.split_once(r#""executable":""#)?;
+    let (path, _) = rest.split_once('"')?;
+    Some(path.replace(r"\\", r"\").into())
+}

@@ -1,0 +1,320 @@
+//! A session in a window: its clock, its drawings, its files.
+
+use std::collections::VecDeque;
+use std::mem;
+use std::ops::ControlFlow;
+use std::thread;
+use std::time::Duration;
+use std::time::Instant;
+
+use anyhow::Context;
+use anyhow::Result;
+use image::RgbImage;
+use minifb::MouseMode;
+
+use super::drawing::Drawing;
+use super::file;
+use super::key::session_key;
+use super::said::print;
+use super::said::report;
+use super::window::Window;
+use crate::Effect;
+use crate::Event;
+use crate::Session;
+use crate::Size;
+use crate::Wanted;
+use crate::text;
+
+/// From one picture to the next while something is being changed, the work of the window system
+/// included: 40 a second.
+const PERIOD: Duration = Duration::from_millis(25);
+
+/// Between two looks at keys and mouse when there is nothing to do.
+const REST: Duration = Duration::from_millis(8);
+
+/// How long a picture that is being refined stays as it is.
+const REFRESH: Duration = Duration::from_millis(100);
+
+/// Shows `session` in `window` until that is closed.
+///
+/// # Errors
+///
+/// When the window system, or standard output, fails.
+pub(super) fn run(window: Window, session: Session) -> Result<()> {
+    let size = window.size().context(text!("the window has no size"))?;
+    let shell = Shell {
+        titled: session.desk().program().title(),
+        samples: session.desk().samples(),
+        window,
+        session,
+        drawings: Vec::new(),
+        saving: None,
+        painted: RgbImage::new(0, 0),
+        size,
+        pointer: (0.0, 0.0),
+        down: false,
+        fine: false,
+        active: false,
+        redraw: true,
+        repaint: false,
+        done: VecDeque::new(),
+    };
+    shell.run()
+}
+
+/// A window and what is seen in it.
+struct Shell {
+    window: Window,
+    session: Session,
+    samples: usize,
+    titled: String,
+    /// The pictures that the session wants, in its order, each with its program.
+    drawings: Vec<(usize, Drawing)>,
+    /// The pictures that are to be saved as soon as they are complete; until then further input
+    /// waits, but for Escape.
+    saving: Option<Vec<Drawing>>,
+    painted: RgbImage,
+    size: Size,
+    pointer: (f32, f32),
+    /// The mouse button is down, as far as the session knows.
+    down: bool,
+    /// Shift is down.
+    fine: bool,
+    active: bool,
+    /// The drawings are not what the session wants.
+    redraw: bool,
+    /// What is on the screen is not all that there is to be shown.
+    repaint: bool,
+    /// When the pictures of the last second were done.
+    done: VecDeque<Instant>,
+}
+
+impl Shell {
+    fn run(mut self) -> Result<()> {
+        loop {
+            self.look()?;
+            if !self.window.window.is_open() || self.input()?.is_break() {
+                return Ok(());
+            }
+            if let Some(size) = self.window.size().filter(|size| *size != self.size) {
+                self.size = size;
+                if self.tell(Event::Resize(size))?.is_break() {
+                    return Ok(());
+                }
+            }
+            if mem::take(&mut self.redraw) {
+                self.restart();
+            }
+            if self.saving.is_some() {
+                self.save()?;
+            } else {
+                self.work();
+            }
+        }
+    }
+
+    fn is_complete(&self) -> bool {
+        self.saving.is_none() && self.drawings.iter().all(|(_, drawing)| drawing.is_complete())
+    }
+
+    /// Starts the pictures that the session wants.
+    fn restart(&mut self) {
+        let title = self.session.desk().program().title();
+        if self.titled != title {
+            self.window.window.set_title(&title);
+            self.titled = title;
+        }
+        let (wanted, size) = (self.session.desk().pictures(), self.session.shown_size());
+        let draft = PERIOD.saturating_sub(self.window.cost).max(PERIOD / 4) / wanted.len() as u32;
+        let mut drawings = mem::take(&mut self.drawings);
+        for Wanted { camera, program, .. } in wanted {
+            let place = drawings.iter().position(|(other, _)| *other == program);
+            let drawing = match place {
+                Some(place) => {
+                    let mut drawing = drawings.swap_remove(place).1;
+                    drawing.restart(size, camera, draft);
+                    drawing
+                }
+                None => Drawing::new(size, self.samples, camera, draft),
+            };
+            self.drawings.push((program, drawing));
+        }
+    }
+
+    fn work(&mut self) {
+        let wanted = self.session.desk().pictures();
+        for (wanted, (_, drawing)) in wanted.iter().zip(&mut self.drawings) {
+            if drawing.work(wanted.setup) {
+                self.done.push_back(Instant::now());
+                self.repaint = true;
+            }
+        }
+    }
+
+    /// Looks for input, and brings the screen up to date where it is not.
+    fn look(&mut self) -> Result<()> {
+        let complete = self.is_complete();
+        let refined = !complete && self.window.sent.elapsed() > REFRESH;
+        let drafting = self.drawings.iter().any(|(_, drawing)| drawing.is_drafting());
+        if !drafting && (self.repaint || refined || self.window.is_stale()) {
+            self.repaint = false;
+            return self.send();
+        }
+        if complete || self.window.size().is_none() {
+            thread::sleep(REST);
+        }
+        self.window.poll();
+        Ok(())
+    }
+
+    fn send(&mut self) -> Result<()> {
+        let start = Instant::now();
+        let status = self.status();
+        let (width, height) = (self.size.width() as u32, self.size.height() as u32);
+        if self.painted.dimensions() != (width, height) {
+            self.painted = RgbImage::new(width, height);
+        }
+        let pictures: Vec<&RgbImage> =
+            self.drawings.iter().map(|(_, drawing)| drawing.picture()).collect();
+        self.session.paint(&mut self.painted, &pictures, &status);
+        self.window.send(&self.painted)?;
+        self.window.cost = start.elapsed();
+        Ok(())
+    }
+
+    /// How long the last pass took, how fine it was, and how many there were in a second.
+    fn status(&mut self) -> String {
+        let second = Duration::from_secs(1);
+        self.done.retain(|done| done.elapsed() < second);
+        let Some((_, drawing)) = self.drawings.last() else {
+            return String::new();
+        };
+        let finished = drawing.finished();
+        let mut status = format!("{:.1} ms", finished.time.as_secs_f64() * 1e3);
+        if finished.grid > 1 {
+            status.push_str(&text!(", 1/{grid} size", grid = finished.grid));
+        }
+        if finished.samples > 1 {
+            status.push_str(&text!(", {n}x{n} rays a pixel", n = finished.samples));
+        }
+        // Fewer are single changes, no movement.
+        if self.done.len() >= 10 {
+            status.push_str(&format!(", {}/s", self.done.len()));
+        }
+        status
+    }
+
+    /// Takes all keys and the mouse into account; a break when the program shall end.
+    fn input(&mut self) -> Result<ControlFlow<()>> {
+        if self.saving.is_some() {
+            let quit = self.window.typed.contains(&(minifb::Key::Escape, true));
+            return Ok(if quit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) });
+        }
+        let mut events = Vec::new();
+        let active = self.window.window.is_active();
+        if mem::replace(&mut self.active, active) && !active {
+            // Who leaves by Alt+Shift+Tab lets go of Shift elsewhere.
+            self.fine = false;
+            events.push(Event::FocusLost);
+        }
+        self.mouse(&mut events);
+        for event in events {
+            if self.tell(event)?.is_break() {
+                return Ok(ControlFlow::Break(()));
+            }
+        }
+        while self.saving.is_none() {
+            let Some((key, down)) = self.window.typed.pop_front() else {
+                break;
+            };
+            let event = match (key, down) {
+                (minifb::Key::LeftShift | minifb::Key::RightShift, down) => {
+                    self.fine = down;
+                    continue;
+                }
+                (key, true) => session_key(key).map(|key| Event::Key(key, self.fine)),
+                (key, false) => session_key(key).map(Event::KeyUp),
+            };
+            if let Some(event) = event
+                && self.tell(event)?.is_break()
+            {
+                return Ok(ControlFlow::Break(()));
+            }
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+
+    fn mouse(&mut self, events: &mut Vec<Event>) {
+        if let Some((x, y)) = self.window.window.get_mouse_pos(MouseMode::Pass) {
+            let (down, was_down) = (self.window.pressed, self.down);
+            self.down = down;
+            match (was_down, down) {
+                (false, true) => events.push(Event::Press(x, y)),
+                (true, false) => events.push(Event::Release(x, y)),
+                _ if (x, y) != self.pointer => events.push(Event::Move(x, y)),
+                _ => {}
+            }
+            self.pointer = (x, y);
+        }
+        let notches = mem::take(&mut self.window.wheel);
+        if notches != 0.0 {
+            events.push(Event::Wheel(notches));
+        }
+    }
+
+    /// Tells the session of an event, and does what it asks for.
+    fn tell(&mut self, event: Event) -> Result<ControlFlow<()>> {
+        for effect in self.session.handle(event) {
+            match effect {
+                Effect::Redraw => {
+                    self.redraw = true;
+                    self.repaint = true;
+                }
+                Effect::Repaint => self.repaint = true,
+                Effect::Print(text) => print(&text)?,
+                // A session says that in its window.
+                Effect::Say(_) => {}
+                Effect::Save => {
+                    let desk = self.session.desk();
+                    let size = desk.picture_size();
+                    let drawing = |wanted: Wanted<'_>| {
+                        Drawing::new(size, self.samples, wanted.camera, Duration::MAX)
+                    };
+                    self.saving = Some(desk.pictures().into_iter().map(drawing).collect());
+                    self.session.handle(Event::Say(
+                        text!("saved as soon as it is complete; Esc quits").to_owned(),
+                    ));
+                    self.repaint = true;
+                }
+                Effect::Quit => return Ok(ControlFlow::Break(())),
+            }
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+
+    /// Goes on with the picture that is to be saved, and saves it if it is complete.
+    fn save(&mut self) -> Result<()> {
+        let Some(mut drawings) = self.saving.take() else {
+            return Ok(());
+        };
+        for (wanted, drawing) in self.session.desk().pictures().iter().zip(&mut drawings) {
+            drawing.work(wanted.setup);
+        }
+        if !drawings.iter().all(Drawing::is_complete) {
+            self.saving = Some(drawings);
+            return Ok(());
+        }
+        let name = self.session.desk().program().name;
+        let pictures = drawings.into_iter().map(Drawing::into_picture).collect();
+        let picture = self.session.written(pictures);
+        let done = match file::save_new_png(&picture, name) {
+            Ok(path) => {
+                let size = format!("{}x{}", picture.width(), picture.height());
+                text!("{size} written to {path}", size, path = path.display())
+            }
+            Err(error) => file::told(&error),
+        };
+        report(name, &done);
+        self.tell(Event::Say(done)).map(|_| ())
+    }
+}
