@@ -17,7 +17,7 @@ use image::RgbImage;
 use serde_json::Value;
 use serde_json::json;
 use tests::root;
-use tests::start;
+use tests::run::start;
 
 /// The page, made once.
 pub(crate) static PAGE: LazyLock<PathBuf> = LazyLock::new(|| {

@@ -86,12 +86,12 @@ fn texts() -> BTreeSet<String> {
     let names = names();
     // The group of the controls that every step has.
     let mut texts = BTreeSet::from(["camera".to_owned()]);
-    for source in sources(&["common/show/src", "common/exercises/src", "lecture/src"], &["rs"]) {
+    for source in sources(&["common/show/src", "common/exercises/src", "lecture"], &["rs"]) {
         let calls = source.split("text!(").skip(1);
         let quoted = calls.filter(|call| call.trim_start().starts_with('"'));
         texts.extend(quoted.map(|call| literals(call).swap_remove(0).1));
     }
-    for source in sources(&["lecture/page", "lecture/src"], &["js", "html", "rs"]) {
+    for source in sources(&["lecture"], &["js", "html", "rs"]) {
         let source = source.replace("\\\"", "\"");
         for mark in ["data-text=\"", "data-name=\"", "text(\""] {
             let is_word = |at: usize| source[..at].ends_with(|letter: char| letter.is_alphabetic());
