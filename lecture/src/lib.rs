@@ -1,11 +1,19 @@
 //! The whole class at once: all steps behind one door.
 //!
 //! [`steps!`] is the only place that names them all. A [`page`] answers a browser through the three
-//! functions of `exports.rs`.
+//! functions of `exports.rs`; what the browser shows around it is written in `html.rs`.
 
+#[cfg(not(target_family = "wasm"))]
+mod equation;
+#[cfg(not(target_family = "wasm"))]
+mod escape;
 #[cfg(target_family = "wasm")]
 mod exports;
 mod figures;
+#[cfg(not(target_family = "wasm"))]
+mod handout;
+#[cfg(not(target_family = "wasm"))]
+mod html;
 #[cfg(not(target_family = "wasm"))]
 mod lesson;
 
@@ -13,6 +21,10 @@ use std::rc::Rc;
 
 use common::Step;
 pub use figures::FIGURES;
+#[cfg(not(target_family = "wasm"))]
+pub use html::build;
+#[cfg(not(target_family = "wasm"))]
+pub use html::html;
 #[cfg(not(target_family = "wasm"))]
 use lesson::Lesson;
 use page::Page;
