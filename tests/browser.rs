@@ -17,7 +17,7 @@ use image::RgbImage;
 use serde_json::Value;
 use serde_json::json;
 use tests::root;
-use tests::start;
+use tests::run::start;
 
 /// The page, made once.
 pub(crate) static PAGE: LazyLock<PathBuf> = LazyLock::new(|| {
@@ -56,12 +56,10 @@ impl Browser {
             .spawn()
             .expect("chromedriver runs: apt-get install chromium chromium-driver");
         let lines = BufReader::new(driver.stdout.take().expect("it is piped")).lines();
-        let port = lines
-            .map_while(Result::ok)
-            .find_map(|line| {
-                line.split("successfully on port ").nth(1)?.trim_end_matches('.').parse().ok()
-            })
-            .expect("chromedriver says its port");
+        let mut ports = lines.map_while(Result::ok).filter_map(|line| {
+            line.split("successfully on port ").nth(1)?.trim_end_matches('.').parse().ok()
+        });
+        let port = ports.next().expect("chromedriver says its port");
         let mut browser = Self { driver, port, session: String::new() };
         // Whoever is root has no sandbox; what is opened is our own.
         let arguments = ["--headless=new", "--no-sandbox", "--hide-scrollbars"];
@@ -79,25 +77,17 @@ impl Browser {
     fn ask(&self, method: &str, path: &str, body: &Value) -> Value {
         let mut stream = TcpStream::connect(("127.0.0.1", self.port)).expect("the driver listens");
         let body = if method == "POST" { body.to_string() } else { String::new() };
-        let head = format!(
-            "{method} {path} HTTP/1.1\r\nHost: localhost\r\nContent-Length: {}\r\n\r\n",
-            body.len()
-        );
-        stream.write_all(format!("{head}{body}").as_bytes()).expect("the driver reads");
+        let head = format!("{method} {path} HTTP/1.1\r\nHost: localhost\r\nContent-Length: ");
+        let question = format!("{head}{}\r\n\r\n{body}", body.len());
+        stream.write_all(question.as_bytes()).expect("the driver reads");
         // It keeps the connection, so the end is where the head says.
         let mut reader = BufReader::new(stream);
-        let mut length = 0;
-        loop {
-            let mut line = String::new();
-            reader.read_line(&mut line).expect("the driver answers");
-            if line.trim().is_empty() {
-                break;
-            }
-            if let Some(found) = line.to_lowercase().strip_prefix("content-length:") {
-                length = found.trim().parse().expect("a length");
-            }
-        }
-        let mut answer = vec![0; length];
+        let head = reader.by_ref().lines().map(|line| line.expect("the driver answers"));
+        let head: Vec<String> = head.take_while(|line| !line.is_empty()).collect();
+        let mut lengths = head.iter().filter_map(|line| {
+            line.to_lowercase().strip_prefix("content-length:")?.trim().parse().ok()
+        });
+        let mut answer = vec![0; lengths.next().expect("a length")];
         reader.read_exact(&mut answer).expect("the whole answer");
         let answer: Value = serde_json::from_slice(&answer).expect("an answer in JSON");
         let value = answer["value"].clone();
@@ -112,6 +102,30 @@ impl Browser {
     /// What only Chromium's own protocol can do.
     pub(crate) fn tell(&self, command: &str, parameters: &Value) {
         self.post("/goog/cdp/execute", &json!({"cmd": command, "params": parameters}));
+    }
+
+    /// A browser with the page, at the address `#…`, when all is drawn.
+    pub(crate) fn at(address: &str) -> Self {
+        let browser = Self::new(1280, 800);
+        browser.show(address);
+        browser
+    }
+
+    /// Shows what an address of the page says.
+    pub(crate) fn show(&self, address: &str) {
+        self.open(&format!("file://{}{address}", PAGE.display()));
+        self.wait_for(DRAWN);
+    }
+
+    /// Opens all that is folded, and makes all figures live.
+    pub(crate) fn unfold(&self) {
+        self.run(
+            "for (const folded of document.querySelectorAll('details')) folded.open = true;
+            for (const place of document.querySelectorAll('article:not([hidden]) [data-figure]')) {
+                if (!figures.has(place)) figures.set(place, new Figure(place));
+                figures.get(place).refresh();
+            }",
+        );
     }
 
     /// Makes the window so large, in CSS pixels.
@@ -142,6 +156,12 @@ impl Browser {
         self.post("/execute/async", &json!({"script": script, "args": []}))
     }
 
+    /// Waits until something holds.
+    pub(crate) fn wait_until(&self, condition: &str) {
+        let look = format!("if ({condition}) done(); else requestAnimationFrame(look);");
+        self.wait_for(&format!("(function look() {{ {look} }})()"));
+    }
+
     /// The text that `script` returns.
     pub(crate) fn text(&self, script: &str) -> String {
         text(&self.run(script))
@@ -152,11 +172,10 @@ impl Browser {
         self.post("/actions", &json!({"actions": actions}));
     }
 
-    /// Presses a key and lets it go; named keys are the standard's private characters.
-    pub(crate) fn key(&self, key: &str) {
-        let keys =
-            [json!({"type": "keyDown", "value": key}), json!({"type": "keyUp", "value": key})];
-        self.act(&json!([{"type": "key", "id": "keyboard", "actions": keys}]));
+    /// Presses a key, or lets it go; named keys are the standard's private characters.
+    pub(crate) fn key(&self, way: &str, key: &str) {
+        let way = json!({"type": way, "value": key});
+        self.act(&json!([{"type": "key", "id": "keyboard", "actions": [way]}]));
     }
 
     /// What the page's script drew on the canvas that `selector` names.
@@ -172,10 +191,10 @@ impl Browser {
         image::load_from_memory(&png.expect("base64")).expect("a PNG").to_rgb8()
     }
 
-    /// What is in the console, of errors and warnings.
-    pub(crate) fn complaints(&self) -> Vec<String> {
-        let log = self.post("/se/log", &json!({"type": "browser"}));
-        log.as_array().into_iter().flatten().map(Value::to_string).collect()
+    /// Nothing is in the console, of errors and warnings.
+    #[track_caller]
+    pub(crate) fn is_quiet(&self) {
+        assert_eq!(self.post("/se/log", &json!({"type": "browser"})), json!([]));
     }
 }
 

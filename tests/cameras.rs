@@ -10,11 +10,20 @@ const EYE: Vec3 = Vec3::new(1.0, 2.0, 7.0);
 /// Straight ahead of [`EYE`], along −z.
 const TARGET: Vec3 = Vec3::new(1.0, 2.0, 3.0);
 
-/// The corners and the centre of the picture, from −1 to 1 in both directions.
+/// The centre and the corners of the picture, from −1 to 1 in both directions.
 const PLACES: [(f32, f32); 5] = [(0.0, 0.0), (-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)];
 
 fn ray_at(camera: &dyn Camera, (x, y): (f32, f32)) -> Ray {
     camera.generate_ray((x + 1.0) / 2.0, (y + 1.0) / 2.0)
+}
+
+/// Both kinds of camera; at the distance 1 both show `height`.
+fn both(eye: Vec3, target: Vec3, up: Vec3, height: f32, aspect: f32) -> [Box<dyn Camera>; 2] {
+    let angle = 2.0 * (height / 2.0).atan().to_degrees();
+    [
+        Box::new(PerspectiveCamera::new(eye, target, up, angle, aspect)),
+        Box::new(OrthographicCamera::new(eye, target, up, height, aspect)),
+    ]
 }
 
 #[track_caller]
@@ -23,34 +32,17 @@ fn near<T: Near>(what: &str, found: T, expected: T, why: &str) {
 }
 
 #[test]
-fn perspective_has_one_origin_and_many_directions() {
-    // The tangents of half the angle are 1 and √3.
-    for (field_of_view, half_height) in [(90.0, 1.0), (120.0, 3.0_f32.sqrt())] {
-        for aspect in ASPECTS {
-            let camera = PerspectiveCamera::new(EYE, TARGET, Vec3::Y, field_of_view, aspect);
-            for (x, y) in PLACES {
-                let ray = ray_at(&camera, (x, y));
-                let d = Vec3::new(x * half_height * aspect, y * half_height, -1.0).normalize();
-                let why =
-                    format!("({x}, {y}) of the window one unit ahead, aspect {aspect}, |d| = 1");
-                assert_eq!(ray.origin, EYE, "all viewing rays start at the viewpoint");
-                near("d", ray.direction, d, &why);
-            }
-        }
-    }
-}
-
-#[test]
-fn parallel_has_many_origins_and_one_direction() {
-    let height = 3.0;
-    for aspect in ASPECTS {
-        let camera = OrthographicCamera::new(EYE, TARGET, Vec3::Y, height, aspect);
+fn perspective_has_one_origin_and_parallel_one_direction() {
+    for (aspect, height) in ASPECTS.into_iter().flat_map(|aspect| [(aspect, 2.0), (aspect, 3.0)]) {
+        let [perspective, parallel] = both(EYE, TARGET, Vec3::Y, height, aspect);
         for (x, y) in PLACES {
-            let ray = ray_at(&camera, (x, y));
-            let p = EYE + Vec3::new(x * aspect, y, 0.0) * height / 2.0;
-            let why = format!("({x}, {y}) of a window 3 units high, aspect {aspect}");
-            near("p", ray.origin, p, &why);
-            near("d", ray.direction, Vec3::NEG_Z, "all viewing rays go along the line of sight");
+            let on_window = Vec3::new(x * aspect, y, 0.0) * height / 2.0;
+            let why = format!("({x}, {y}) of a window {height} high, aspect {aspect}");
+            let (one, many) = (ray_at(&*perspective, (x, y)), ray_at(&*parallel, (x, y)));
+            assert_eq!(one.origin, EYE, "all viewing rays start at the viewpoint");
+            near("d", one.direction, (on_window + Vec3::NEG_Z).normalize(), &why);
+            near("p", many.origin, EYE + on_window, &why);
+            near("d", many.direction, Vec3::NEG_Z, "all viewing rays go along the line of sight");
         }
     }
 }
@@ -63,37 +55,33 @@ fn cameras_are_right_handed_wherever_they_look() {
         let right = forward.cross(Vec3::Y).normalize();
         let up = right.cross(forward);
         // An up that is neither of unit length nor at a right angle to the line of sight.
-        let cameras: [&dyn Camera; 2] = [
-            &PerspectiveCamera::new(eye, TARGET, 3.0 * Vec3::Y, 90.0, 2.0),
-            &OrthographicCamera::new(eye, TARGET, 3.0 * Vec3::Y, 2.0, 2.0),
-        ];
-        for camera in cameras {
+        for camera in both(eye, TARGET, 3.0 * Vec3::Y, 2.0, 2.0) {
             let why = format!("seen from {eye}: right = forward × up, and v grows upwards");
-            let center = ray_at(camera, (0.0, 0.0));
+            let center = ray_at(&*camera, (0.0, 0.0));
             near("d at the centre", center.direction, forward, "the target is in the middle");
             near("p at the centre", center.origin, eye, "the viewpoint is in the middle");
-            for (place, towards) in [((1.0, 0.0), right), ((0.0, 1.0), up)] {
-                let ray = ray_at(camera, place);
+            for (place, edge) in [((1.0, 0.0), 2.0 * right), ((0.0, 1.0), up)] {
+                let ray = ray_at(&*camera, place);
                 // One unit ahead, where both show a window 4 wide and 2 high.
                 let t = 1.0 / ray.direction.dot(forward);
-                let half = if place == (1.0, 0.0) { 2.0 } else { 1.0 };
-                near("the window's edge", ray.at(t), eye + forward + half * towards, &why);
+                near("the window's edge", ray.at(t), eye + forward + edge, &why);
             }
         }
     }
 }
 
 #[test]
-fn a_view_shows_the_target_in_the_middle_however_it_is_turned() {
+fn a_view_circles_its_target() {
     let mut view = View::new(EYE, TARGET, 38.0);
     view.distance = 6.0;
-    near("the viewpoint", view.eye(), TARGET + 6.0 * Vec3::Z, "only its distance was changed");
+    let root = 0.75_f32.sqrt();
     for (azimuth, elevation, direction) in [
+        (0.0, 0.0, Vec3::Z),
         (90.0, 0.0, Vec3::X),
         (180.0, 0.0, Vec3::NEG_Z),
         (-90.0, 0.0, Vec3::NEG_X),
-        (0.0, 30.0, Vec3::new(0.0, 0.5, 0.75_f32.sqrt())),
-        (0.0, -30.0, Vec3::new(0.0, -0.5, 0.75_f32.sqrt())),
+        (0.0, 30.0, Vec3::new(0.0, 0.5, root)),
+        (0.0, -30.0, Vec3::new(0.0, -0.5, root)),
     ] {
         (view.azimuth, view.elevation) = (azimuth, elevation);
         let why = format!("azimuth {azimuth}, elevation {elevation}, 6 units away");
@@ -103,6 +91,21 @@ fn a_view_shows_the_target_in_the_middle_however_it_is_turned() {
             let center = ray_at(&*view.camera(1.5), (0.0, 0.0));
             near("d at the centre", center.direction, -direction, &why);
         }
+    }
+    let mut view = View::new(EYE, TARGET, 38.0);
+    for (turn, azimuth) in
+        [(170.0, 170.0), (20.0, -170.0), (-20.0, 170.0), (700.0, 150.0), (-1000.0, -130.0)]
+    {
+        view.orbit(turn, 0.0);
+        near("the azimuth", view.azimuth, azimuth, "from −180° to 180°, whichever way it turns");
+    }
+    for (up, elevation) in [(50.0, 50.0), (50.0, 89.0), (-10.0, 79.0), (-500.0, -89.0)] {
+        view.orbit(0.0, up);
+        near("the elevation", view.elevation, elevation, "it stops short of the poles");
+    }
+    for (factor, distance) in [(2.0, 8.0), (1e3, 100.0), (0.5, 50.0), (1e-9, 0.1), (3.0, 0.3)] {
+        view.zoom(factor);
+        near("the distance", view.distance, distance, "it stops at the ends of its range");
     }
 }
 
@@ -123,35 +126,17 @@ fn a_view_that_was_not_moved_keeps_its_viewpoint_to_the_last_digit() {
 }
 
 #[test]
-fn a_view_turns_round_and_stops_over_the_poles() {
-    let mut view = View::new(EYE, TARGET, 38.0);
-    for (turn, azimuth) in
-        [(170.0, 170.0), (20.0, -170.0), (-20.0, 170.0), (700.0, 150.0), (-1000.0, -130.0)]
-    {
-        view.orbit(turn, 0.0);
-        near("the azimuth", view.azimuth, azimuth, "from −180° to 180°, whichever way it turns");
-    }
-    for (up, elevation) in [(50.0, 50.0), (50.0, 89.0), (-10.0, 79.0), (-500.0, -89.0)] {
-        view.orbit(0.0, up);
-        near("the elevation", view.elevation, elevation, "it stops short of the poles");
-    }
-    for (factor, distance) in [(2.0, 8.0), (1e3, 100.0), (0.5, 50.0), (1e-9, 0.1), (3.0, 0.3)] {
-        view.zoom(factor);
-        near("the distance", view.distance, distance, "it stops at the ends of its range");
-    }
-}
-
-#[test]
 fn both_cameras_show_the_same_height_at_the_target() {
     for angle in [-40.0, 0.0, 0.5, 1.0, 38.0, 120.0, 170.0, 175.0, 1e9] {
         for (aspect, zoom) in ASPECTS.into_iter().zip([1.0, 0.5, 3.0].into_iter().cycle()) {
             let mut view = View::new(EYE, TARGET, angle);
             view.zoom(zoom);
-            let perspective = view.camera(aspect);
-            view.projection = Projection::Parallel;
-            let parallel = view.camera(aspect);
+            let cameras = PROJECTIONS.map(|projection| {
+                view.projection = projection;
+                view.camera(aspect)
+            });
             for place in PLACES {
-                let [expected, found] = [&perspective, &parallel].map(|camera| {
+                let [expected, found] = cameras.each_ref().map(|camera| {
                     let ray = ray_at(&**camera, place);
                     ray.at((TARGET.z - ray.origin.z) / ray.direction.z)
                 });
@@ -161,10 +146,6 @@ fn both_cameras_show_the_same_height_at_the_target() {
             }
         }
     }
-}
-
-#[test]
-fn a_field_of_view_is_taken_into_its_range() {
     let through = |angle| {
         PLACES.map(|at| ray_at(&PerspectiveCamera::new(EYE, TARGET, Vec3::Y, angle, 1.5), at))
     };
@@ -179,27 +160,20 @@ fn a_field_of_view_is_taken_into_its_range() {
 fn a_camera_without_a_direction_takes_another() {
     let offsets = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z, -1e-6 * Vec3::Y, 1e6 * Vec3::Y];
     for up in [Vec3::X, Vec3::Y, Vec3::Z, Vec3::ZERO, -1e-30 * Vec3::Y, 1e30 * Vec3::Y] {
-        for offset in offsets {
-            let cameras: [&dyn Camera; 2] = [
-                &PerspectiveCamera::new(EYE, EYE - offset, up, 40.0, 1.5),
-                &OrthographicCamera::new(EYE, EYE - offset, up, 40.0, 1.5),
-            ];
-            for camera in cameras {
-                let [center, a, b, c, _] = PLACES.map(|place| ray_at(camera, place));
-                let why = format!("up {up}, the target {offset} away");
-                near("|d|", center.direction.length(), 1.0, &why);
-                let area = (b.at(1.0) - a.at(1.0)).cross(c.at(1.0) - a.at(1.0)).length();
-                assert!(area > 0.1, "{why}: the picture has no area");
-                if offset == Vec3::ZERO {
-                    near("d", center.direction, Vec3::NEG_Z, "eye = target looks along −z");
-                }
+        for (offset, camera) in offsets
+            .into_iter()
+            .flat_map(|offset| both(EYE, EYE - offset, up, 0.7, 1.5).map(|it| (offset, it)))
+        {
+            let [center, a, b, c, _] = PLACES.map(|place| ray_at(&*camera, place));
+            let why = format!("up {up}, the target {offset} away");
+            near("|d|", center.direction.length(), 1.0, &why);
+            let area = (b.at(1.0) - a.at(1.0)).cross(c.at(1.0) - a.at(1.0)).length();
+            assert!(area > 0.1, "{why}: the picture has no area");
+            if offset == Vec3::ZERO {
+                near("d", center.direction, Vec3::NEG_Z, "eye = target looks along −z");
             }
         }
     }
-}
-
-#[test]
-fn an_up_along_the_line_of_sight_is_replaced() {
     for (backward, up, right) in [
         // z in place of y, and x in place of z.
         (Vec3::Y, Vec3::Y, Vec3::NEG_X),

@@ -3,7 +3,7 @@
 use fastrand::Rng;
 use tests::prelude::*;
 
-tests::checks!(spheres { a_sphere_is_met_where_f64_finds_it });
+checks!(spheres { a_sphere_is_met_where_f64_finds_it });
 
 /// How often each radius is tried at each distance.
 const TRIED: usize = 500;

@@ -1,8 +1,6 @@
 //! Solutions of the exercises, right and wrong: `--check` accepts the right ones, refuses the others
 //! and says what is wrong with them.
 
-mod solutions;
-
 use std::fs;
 use std::path::Path;
 use std::path::PathBuf;
@@ -13,11 +11,12 @@ use std::sync::Mutex;
 use std::sync::MutexGuard;
 use std::sync::PoisonError;
 
-use solutions::Change;
-use solutions::RIGHT;
-use solutions::WRONG;
 use tempfile::tempdir;
 use tests::prelude::*;
+
+use crate::solutions::Change;
+use crate::solutions::RIGHT;
+use crate::solutions::WRONG;
 
 /// A copy of the steps, with programs of its own.
 struct Copy {
@@ -34,9 +33,8 @@ fn copy() -> MutexGuard<'static, Copy> {
 
 impl Copy {
     fn new() -> Self {
-        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("exercises");
-        let root_of_copy = empty_folder(&folder, "steps");
-        let packages = fs::read_to_string(root().join("Cargo.toml")).expect("the workspace");
+        let root_of_copy = empty_folder("exercises/steps");
+        let packages = source("Cargo.toml");
         let steps: Vec<&str> = ["common"].into_iter().chain(STEPS).collect();
         let lines = packages.lines().map(|line| match line.split_once("members = ") {
             None => line.to_owned() + "\n",
@@ -48,7 +46,7 @@ impl Copy {
         for package in steps {
             copy_folder(&root().join(package), &root_of_copy.join(package));
         }
-        let programs = empty_folder(&folder, "programs");
+        let programs = empty_folder("exercises/programs");
         let copy = Self { root: root_of_copy, programs };
         let built = copy.cargo().arg("build").output().expect("cargo runs");
         assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
@@ -106,14 +104,6 @@ impl Copy {
         fs::remove_dir_all(&source).expect("it was copied");
         copy_folder(&root().join(package).join("src"), &source);
         done
-    }
-}
-
-fn copy_folder(from: &Path, to: &Path) {
-    for path in files_below(from) {
-        let copy = to.join(path.strip_prefix(from).expect("a path in it"));
-        fs::create_dir_all(copy.parent().expect("a folder")).expect("the copy can be written");
-        fs::copy(&path, copy).expect("the copy can be written");
     }
 }
 

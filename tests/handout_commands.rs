@@ -2,17 +2,12 @@
 //! program can say what a handout says that it can.
 
 use std::collections::BTreeSet;
-use std::fs;
 use std::path::Path;
-use std::path::PathBuf;
-use std::process::Output;
 
-use tests::empty_folder;
 use tests::prelude::*;
 
 use crate::readme::Part;
 use crate::readme::commands;
-use crate::readme::none;
 use crate::readme::originals;
 use crate::set_up;
 
@@ -35,18 +30,6 @@ const NOT_RUN: &[&str] = &[
     "xcode-select --install",
 ];
 
-/// Runs the built program `name` in `folder`, where it finds no display.
-fn run(name: &str, arguments: &[&str], folder: &Path) -> Output {
-    let output = command(name, folder).args(arguments).output();
-    output.unwrap_or_else(|error| panic!("{name}: {error}"))
-}
-
-/// A new folder for the files that are written on behalf of `name`.
-fn folder(name: &str) -> PathBuf {
-    let name = name.replace(['/', '\\', ' '], "-");
-    empty_folder(Path::new(env!("CARGO_TARGET_TMPDIR")), &name)
-}
-
 /// The file that a program with these arguments is to write, if any.
 fn file_of(name: &str, arguments: &[&str]) -> Option<String> {
     let named = arguments.iter().position(|argument| ["-o", "--output"].contains(argument));
@@ -60,7 +43,7 @@ fn file_of(name: &str, arguments: &[&str]) -> Option<String> {
 
 /// Runs the program `name`, which has to do what it is asked for.
 fn try_program(name: &str, arguments: &[&str], folder: &Path) -> Result<(), String> {
-    let output = run(name, arguments, folder);
+    let output = run_in(folder, name, arguments);
     // Pictures may differ, but what is said of that is asked for.
     let compared = arguments.contains(&"--compare") && !output.stdout.is_empty();
     if !(output.status.success() || (compared && output.status.code() == Some(1))) {
@@ -109,9 +92,14 @@ fn try_command(command: &str, folder: &Path) -> Result<(), String> {
             all(missing.is_none(), format!("there is no {missing:?}"))
         }
         _ if NOT_RUN.iter().any(|known| command.starts_with(known)) => {
-            let test = words.iter().skip_while(|word| **word != "--test").nth(1);
-            let is_there = test.is_none_or(|test| exists(&format!("tests/{test}.rs")));
-            all(is_there, format!("there is no test {test:?}"))
+            let mut test = words.iter().skip_while(|word| **word != "--test").skip(1);
+            let target = test.next().is_none_or(|test| {
+                source("tests/Cargo.toml").contains(&format!("[[test]]\nname = \"{test}\"\n"))
+            });
+            // Of its tests those of a file, or, behind a flag of their own, some kind of them.
+            let module = test.next().filter(|module| **module != "--");
+            let is_there = module.is_none_or(|module| exists(&format!("tests/{module}.rs")));
+            all(target && is_there, format!("there is no test {module:?}"))
         }
         _ => Err("the tests cannot run this".to_owned()),
     }
@@ -121,13 +109,13 @@ fn try_command(command: &str, folder: &Path) -> Result<(), String> {
 fn every_command_runs() {
     let mut wrong = Vec::new();
     for readme in originals() {
-        let inline = readme
-            .codes()
-            .filter(|code| ["cargo ", "git "].iter().any(|program| code.starts_with(program)));
-        for (index, block) in readme.fences("sh").chain(inline).enumerate() {
-            let folder = folder(&format!("command {} {index}", readme.name()));
+        let inline = readme.codes().filter(|code| {
+            ["cargo ", "git ", "UPDATE_SNAPSHOTS=1 "].iter().any(|it| code.starts_with(it))
+        });
+        for block in readme.fences("sh").chain(inline) {
+            let folder = tempfile::tempdir().expect("a folder");
             for command in commands(block) {
-                if let Err(error) = try_command(command, &folder) {
+                if let Err(error) = try_command(command, folder.path()) {
                     wrong.push(format!("{}: {command}: {error}", readme.name()));
                 }
             }
@@ -146,9 +134,12 @@ fn names_of_controls(index: usize) -> BTreeSet<String> {
 }
 
 #[test]
-fn every_control_exists() {
-    let mut wrong = Vec::new();
+fn every_control_flag_and_verb_exists() {
+    let help = printed(STEPS[0], "--help");
+    let flags: Vec<&str> = help.split([' ', ',', '\n']).collect();
+    let (listener, mut wrong) = (source("common/src/listener.rs"), Vec::new());
     for readme in originals() {
+        let mut fail = |what: String| wrong.push(format!("{}: {what}", readme.name()));
         if let Some(index) = readme.step() {
             let set = |code: &&str| code.starts_with("--set ") || code.starts_with("--camera ");
             readme.codes().filter(set).for_each(|code| drop(set_up(index, code)));
@@ -158,48 +149,23 @@ fn every_control_exists() {
             None => (0..STEPS.len()).flat_map(names_of_controls).collect(),
         };
         for part in &readme.parts {
-            if let Part::Control(name) = part
-                && !known.contains(name)
-            {
-                wrong.push(format!("{}: there is no control {name}", readme.name()));
+            match part {
+                Part::Control(name) if !known.contains(name) => fail(format!("no control {name}")),
+                _ => {}
             }
         }
-    }
-    none(wrong);
-}
-
-#[test]
-fn every_flag_is_in_the_help() {
-    let help = run(STEPS[0], &["--help"], root()).stdout;
-    let help = String::from_utf8(help).expect("the help is text");
-    let mut wrong = Vec::new();
-    for readme in originals() {
         // Flags of cargo are spoken of as well.
-        let flags = readme.codes().filter(|code| code.starts_with('-') && *code != "--release");
-        for flag in flags.filter_map(|code| code.split_whitespace().next()) {
-            let mut words = help.split([' ', ',', '\n']);
-            if flag != "--" && !words.any(|word| word == flag) {
-                wrong.push(format!("{}: no step takes {flag}", readme.name()));
+        let codes = readme.codes().filter(|code| code.starts_with('-') && *code != "--release");
+        for flag in codes.filter_map(|code| code.split_whitespace().next()) {
+            if flag != "--" && !flags.contains(&flag) {
+                fail(format!("no step takes {flag}"));
             }
         }
-    }
-    none(wrong);
-}
-
-#[test]
-fn every_verb_is_a_listeners() {
-    let listener = fs::read_to_string(root().join("common/src/listener.rs")).expect("text");
-    let mut wrong = Vec::new();
-    for readme in originals() {
-        for code in readme.codes() {
-            for called in code.split("say.").skip(1) {
-                let verb = called.split('(').next().unwrap_or(called);
-                let is_known = ["(", "<T>("]
-                    .iter()
-                    .any(|end| listener.contains(&format!("    fn {verb}{end}")));
-                if !is_known {
-                    wrong.push(format!("{}: nobody listens to {verb}", readme.name()));
-                }
+        for called in readme.codes().flat_map(|code| code.split("say.").skip(1)) {
+            let verb = called.split('(').next().unwrap_or(called);
+            let ends = ["(", "<T>("].map(|end| format!("    fn {verb}{end}"));
+            if !ends.iter().any(|begins| listener.contains(begins)) {
+                fail(format!("nobody listens to {verb}"));
             }
         }
     }

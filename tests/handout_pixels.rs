@@ -1,16 +1,13 @@
 //! What handouts say of pixels is so: what is to be seen there, and what `--pixel` tells of them.
 
 use std::cmp::Ordering;
-use std::fs;
 use std::path::Path;
 
 use tests::prelude::*;
 
 use crate::readme::LANGUAGES;
 use crate::readme::Part;
-use crate::readme::Readme;
 use crate::readme::comments;
-use crate::readme::none;
 use crate::readme::originals;
 use crate::set_up;
 
@@ -64,8 +61,7 @@ fn explanation(index: usize, arguments: &str) -> Explanation {
     let size = after("-s").map_or(Size::DEFAULT, |size| size.parse().expect("a size"));
     let (col, row) = after("--pixel").and_then(place_of).expect("a pixel");
     let (width, height) = (size.width(), size.height());
-    let camera = setup.view().camera(size.aspect());
-    setup.step().explain(&*camera, Pixel { col, row, width, height })
+    setup.step().explain(&*setup.view().camera(size.aspect()), Pixel { col, row, width, height })
 }
 
 /// The lines of what [`explanation`] gives, in the language that is spoken, their words one space apart.
@@ -111,35 +107,26 @@ fn wrong_in_item(index: usize, item: &[Part]) -> Vec<String> {
 }
 
 #[test]
-fn what_is_to_be_seen_is_seen() {
-    let mut wrong = Vec::new();
-    for (index, step) in STEPS.iter().enumerate() {
-        let readme = Readme::read(&Path::new(step).join("README.md"));
-        for item in readme.section("Try this").split(|part| *part == Part::ListItem) {
-            let of_item = wrong_in_item(index, item).into_iter();
-            wrong.extend(of_item.map(|wrong| format!("{step}: {wrong}")));
-        }
-    }
-    none(wrong);
-}
-
-#[test]
-fn what_a_pixel_tells_is_told() {
+fn what_is_to_be_seen_is_seen_and_what_a_pixel_tells_is_told() {
     let mut wrong = Vec::new();
     for readme in originals() {
         let Some(index) = readme.step() else { continue };
+        let mut fail = |what: String| wrong.push(format!("{}: {what}", readme.name()));
+        for item in readme.section("Try this").split(|part| *part == Part::ListItem) {
+            wrong_in_item(index, item).into_iter().for_each(&mut fail);
+        }
         let tells = comments(&readme.parts).filter_map(|comment| comment.split_once(" tells "));
         let tells: Vec<(&str, &str)> = tells.collect();
         for (arguments, lines) in &tells {
             let told = told(index, arguments);
             for line in lines.split("; ").filter(|line| !told.iter().any(|told| told == line)) {
-                wrong.push(format!("{}: {arguments} does not tell {line}", readme.name()));
+                fail(format!("{arguments} does not tell {line}"));
             }
         }
         let is_pixel = |code: &&str| code.starts_with('-') && code.contains("--pixel ");
         for code in readme.codes().filter(is_pixel) {
             if !tells.iter().any(|(arguments, _)| *arguments == code) {
-                wrong.push(format!("{}: what does {code} tell? {TELLS}", readme.name()));
+                fail(format!("what does {code} tell? {TELLS}"));
             }
         }
     }
@@ -166,18 +153,14 @@ fn what_is_quoted_of_a_pixel_is_told_in_each_language() {
         for ((language, file), (line, prose)) in LANGUAGES.into_iter().zip(quoted) {
             language.speak();
             let path = Path::new(STEPS[number - 1]).join(file);
-            let handout = fs::read_to_string(root().join(&path)).expect("a handout");
-            if !told(number - 1, arguments).iter().any(|told| told == line) {
-                wrong.push(format!("{}, {arguments}: not told: {line}", path.display()));
-            }
-            if !spaced(&handout).contains(prose) {
-                wrong.push(format!("{} does not say: {prose}", path.display()));
-            }
-            if !handout.contains(&format!("`{arguments}`")) {
-                wrong.push(format!("{} does not have {arguments}", path.display()));
+            let handout = source(&path);
+            let told = told(number - 1, arguments).iter().any(|told| told == line);
+            let said = spaced(&handout).contains(prose);
+            if !told || !said || !handout.contains(&format!("`{arguments}`")) {
+                let path = path.display();
+                wrong.push(format!("{path}, {arguments}: {line} {told}, {prose} {said}"));
             }
         }
     }
-    Language::English.speak();
     none(wrong);
 }

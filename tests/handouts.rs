@@ -1,28 +1,23 @@
 //! What the READMEs say is so: links and pictures are there, quoted lines are in the code, slides have
 //! their titles, and both languages say the same. What is the same in both is tried in English alone.
 
+mod diffs;
 mod handout_commands;
-mod handout_pictures;
 mod handout_pixels;
 mod readme;
+mod style;
 
 use std::collections::BTreeSet;
-use std::fs;
 use std::path::Path;
-use std::path::PathBuf;
 
+use lecture::programs;
 use pulldown_cmark::HeadingLevel;
-use readme::LANGUAGES;
 use readme::Part;
 use readme::Readme;
 use readme::commands;
 use readme::left_to_the_reader;
-use readme::none;
 use readme::originals;
 use readme::readmes;
-use readme::texts;
-use show::keys;
-use show::translated;
 use tests::prelude::*;
 
 /// The setup of a step with what `arguments` set.
@@ -47,90 +42,126 @@ fn anchor(heading: &str) -> String {
     kept.flat_map(char::to_lowercase).map(|c| if c == ' ' { '-' } else { c }).collect()
 }
 
+/// The titles of slides in a text.
+fn titles<'a>(texts: impl Iterator<Item = &'a str>) -> BTreeSet<String> {
+    let all: String = texts.collect();
+    let quoted = all.split('«').skip(1).filter_map(|rest| rest.split_once('»'));
+    quoted.map(|(title, _)| title.to_owned()).collect()
+}
+
 #[test]
-fn every_link_and_picture_is_there() {
-    let mut wrong = Vec::new();
+fn every_link_picture_slide_and_file_is_there() {
+    let glossary = Readme::read(Path::new("README.md"));
+    let glossary = glossary.section("Glossary").iter().filter_map(|part| match part {
+        Part::Text(text) => Some(text.as_str()),
+        _ => None,
+    });
+    let (glossary, mut wrong) = (titles(glossary), Vec::new());
     for readme in readmes() {
+        let mut fail = |what: String| wrong.push(format!("{}: {what}", readme.name()));
         for link in readme.links().filter(|link| !link.contains("://")) {
             let (file, name) = link.split_once('#').unwrap_or((link, ""));
             let folder = readme.path.parent().expect("a file is in a folder");
             let path = if file.is_empty() { readme.path.clone() } else { folder.join(file) };
             let has_anchor = || {
-                Readme::read(&path).parts.iter().any(
-                    |part| matches!(part, Part::Heading(_, heading) if anchor(heading) == name),
-                )
+                let is_it = |part: &Part| matches!(part, Part::Heading(_, heading) if anchor(heading) == name);
+                Readme::read(&path).parts.iter().any(is_it)
             };
             if !root().join(&path).exists() || !(name.is_empty() || has_anchor()) {
-                wrong.push(format!("{}: {link} leads nowhere", readme.name()));
+                fail(format!("{link} leads nowhere"));
             }
+        }
+        for title in titles(readme.texts()).difference(&glossary) {
+            fail(format!("the glossary has no slide «{title}»"));
         }
         for part in &readme.parts {
-            if let Part::Html(html) = part
-                && (html.contains("src=") || html.contains("href="))
-            {
-                wrong.push(format!("{}: {html} is not Markdown", readme.name()));
+            match part {
+                Part::Html(html) if html.contains("src=") || html.contains("href=") => {
+                    fail(format!("{html} is not Markdown"));
+                }
+                Part::Fence(language, _) if ["sh", "diff", "rust"].contains(&language.as_str()) => {
+                }
+                // The layout.
+                Part::Fence(language, text) if language == "text" => {
+                    let paths = commands(text).filter(|path| *path != "…");
+                    paths
+                        .filter(|path| !root().join(path).exists())
+                        .for_each(|path| fail(format!("no {path}")));
+                }
+                // What programs print stands in no block: it would be another in each language.
+                Part::Fence(language, text) => fail(format!("what is {language:?}? {text}")),
+                _ => {}
             }
         }
-    }
-    none(wrong);
-}
-
-#[test]
-fn every_slide_has_a_title_of_the_glossary() {
-    fn titles(parts: &[Part]) -> BTreeSet<String> {
-        let all: String = texts(parts).collect();
-        let quoted = all.split('«').skip(1).filter_map(|rest| rest.split_once('»'));
-        quoted.map(|(title, _)| title.to_owned()).collect()
-    }
-    let glossary = titles(Readme::read(Path::new("README.md")).section("Glossary"));
-    let mut wrong = Vec::new();
-    for readme in readmes() {
-        for title in titles(&readme.parts).difference(&glossary) {
-            wrong.push(format!("{}: the glossary has no slide «{title}»", readme.name()));
+        for text in readme.texts() {
+            let is_capital = |part: &str| {
+                part.contains(|letter: char| letter.is_ascii_uppercase())
+                    && !part.contains(|letter: char| letter.is_lowercase())
+            };
+            let left = text.split_whitespace().find(|word| {
+                let all_capital = word.contains('_') && word.split('_').all(is_capital);
+                all_capital || word.contains(['{', '}']) || ["TODO", "XXX"].contains(word)
+            });
+            left.iter().for_each(|word| fail(format!("{word} is left to be filled in")));
         }
     }
     none(wrong);
 }
 
-/// What is a step is said once, in `steps!` of the lecture; folders and the README follow.
+/// What is a step is said once, in `steps!` of the lecture; folders and the READMEs follow.
 #[test]
 fn steps_are_the_same_everywhere() {
     let mut folders: Vec<_> =
         files(root()).into_iter().filter_map(|name| name.into_string().ok()).collect();
     folders.retain(|name| name.starts_with("step") && root().join(name).is_dir());
     assert_eq!(folders, STEPS, "the folders, and steps! in lecture/src/lib.rs");
-    for readme in ["README.md", "README.pt-BR.md"] {
-        let readme = Readme::read(Path::new(readme));
-        let links = readme.parts.iter().filter_map(|part| match part {
-            Part::Link(link) => link.split_once("/README").map(|(step, _)| step),
-            _ => None,
-        });
-        let mut linked: Vec<_> = links.filter(|step| step.starts_with("step")).collect();
+    for file in ["README.md", "README.pt-BR.md"] {
+        let readme = Readme::read(Path::new(file));
+        let links = readme.links().filter_map(|link| link.split_once("/README"));
+        let mut linked: Vec<&str> =
+            links.map(|(step, _)| step).filter(|step| step.starts_with("step")).collect();
         linked.dedup();
-        assert_eq!(linked, STEPS, "the handouts in {}", readme.name());
+        assert_eq!(linked, STEPS, "the handouts in {file}");
     }
-}
-
-/// The lines that a fenced block quotes: behind `mark` stands their file.
-fn quoted<'a>(readme: &Readme, block: &'a str, mark: &str) -> (&'a str, &'a str, String) {
-    let (file, lines) = block
-        .strip_prefix(mark)
-        .and_then(|block| block.split_once('\n'))
-        .unwrap_or_else(|| panic!("{}: '{mark}FILE' goes before {block}", readme.name()));
-    (file, lines, fs::read_to_string(root().join(file)).unwrap_or_default())
+    // What stands beside the picture.
+    for (index, program) in programs().into_iter().enumerate() {
+        let Program { name, concept, slides, diff, idea, .. } = program;
+        assert_eq!((name, diff.is_empty()), (STEPS[index], index == 0));
+        assert!(!concept.is_empty() && slides.starts_with('«') && slides.ends_with('»'), "{name}");
+        let between: String =
+            slides.split('«').map(|part| part.split_once('»').unwrap_or(("", part)).1).collect();
+        assert_eq!(between.trim_matches([',', ' ']).replace(", ", ""), "", "{name}: {slides}");
+        let (question, rest) = idea.split_once("\n\n").expect("a question");
+        let (equations, words): (Vec<&str>, Vec<&str>) =
+            rest.lines().filter(|line| !line.is_empty()).partition(|line| line.starts_with("  "));
+        let is_whole = question.ends_with('?') && equations.iter().any(|line| line.contains(" = "));
+        assert!(is_whole && !words.is_empty() && !idea.contains(['\\', '$']), "{name}: {idea}");
+    }
+    let idea = programs()[6].idea;
+    assert!(idea.contains("\n  h = (v+l)/‖v+l‖\n"), "{idea}");
 }
 
 #[test]
-fn every_quoted_line_is_in_the_code() {
+fn what_is_quoted_of_the_code_is_in_it() {
+    let words = |text: &str| -> BTreeSet<String> {
+        let words = text.split(|letter: char| !(letter.is_alphanumeric() || letter == '_'));
+        words.filter(|word| !word.is_empty()).map(str::to_owned).collect()
+    };
     let mut wrong = Vec::new();
     for readme in originals() {
-        for block in readme.fences("rust") {
-            let (file, lines, code) = quoted(&readme, block, "// ");
+        let mut fail = |what: String| wrong.push(format!("{}: {what}", readme.name()));
+        // Behind the mark stands the file.
+        let quoted = |block: &str, mark: &str| {
+            let quoted = block.strip_prefix(mark).and_then(|block| block.split_once('\n'));
+            let (file, lines) =
+                quoted.unwrap_or_else(|| panic!("'{mark}FILE' goes before {block}"));
+            (lines.to_owned(), file.to_owned(), source(file))
+        };
+        for (lines, file, code) in readme.fences("rust").map(|block| quoted(block, "// ")) {
             let missing = lines.lines().filter(|line| !code.lines().any(|known| known == *line));
-            wrong.extend(missing.map(|line| format!("{}: not in {file}: {line}", readme.name())));
+            missing.for_each(|line| fail(format!("not in {file}: {line}")));
         }
-        for block in readme.fences("diff") {
-            let (file, change, code) = quoted(&readme, block, "--- ");
+        for (change, file, code) in readme.fences("diff").map(|block| quoted(block, "--- ")) {
             let with = |sign| {
                 let lines = change.lines().filter_map(|line| line.strip_prefix(sign));
                 lines.map(|line| format!("{line}\n")).collect::<String>()
@@ -138,100 +169,18 @@ fn every_quoted_line_is_in_the_code() {
             let (removed, added) = (with('-'), with('+'));
             let places = code.matches(&format!("\n{removed}")).count();
             if removed.is_empty() || places != 1 || removed == added {
-                wrong.push(format!("{}: {places} times in {file}: {block}", readme.name()));
+                fail(format!("{places} times in {file}: {change}"));
             }
         }
-    }
-    none(wrong);
-}
-
-/// What programs print stands in no block: it would be another in each language.
-#[test]
-fn fences_hold_what_is_held_to_something() {
-    let mut wrong = Vec::new();
-    for readme in readmes() {
-        for part in &readme.parts {
-            match part {
-                Part::Fence(language, _) if ["sh", "diff", "rust"].contains(&language.as_str()) => {
-                }
-                // The layout.
-                Part::Fence(language, text) if language == "text" => {
-                    let paths = commands(text).filter(|path| *path != "…");
-                    let missing = paths.filter(|path| !root().join(path).exists());
-                    wrong.extend(missing.map(|path| format!("{}: no {path}", readme.name())));
-                }
-                Part::Fence(language, text) => {
-                    wrong.push(format!("{}: what is {language:?}? {text}", readme.name()));
-                }
-                _ => {}
-            }
-        }
-    }
-    none(wrong);
-}
-
-#[test]
-fn the_keys_are_those_of_the_window_in_each_language() {
-    let mut wrong = Vec::new();
-    for (language, file) in LANGUAGES {
-        language.speak();
-        let readme = Readme::read(Path::new(file));
-        let texts: Vec<&str> = readme.texts().collect();
-        for row in keys() {
-            for key in translated(row.keys).split(", ").map(|key| key.replace('-', "−")) {
-                let is_key = |text: &str| {
-                    text.split(", ").chain(text.split([',', ' '])).any(|found| found == key)
-                };
-                if !texts.iter().any(|text| is_key(text)) {
-                    wrong.push(format!("{file} does not know the key {key}"));
+        if let Some(index) = readme.step() {
+            let folder = root().join(STEPS[index]).join("src");
+            let code: String = files_below(&folder).into_iter().map(source).collect();
+            let known = words(&(source("common/src/ray.rs") + &code));
+            for part in readme.section("The equation") {
+                if let Part::Code(code) = part {
+                    words(code).difference(&known).for_each(|word| fail(format!("no {word}")));
                 }
             }
-        }
-    }
-    Language::English.speak();
-    none(wrong);
-}
-
-#[test]
-fn what_the_equations_are_in_the_code_is_there() {
-    let read = |path: PathBuf| fs::read_to_string(path).expect("text");
-    let ray = read(root().join("common/src/ray.rs"));
-    let mut wrong = Vec::new();
-    for readme in originals() {
-        let Some(index) = readme.step() else { continue };
-        let folder = root().join(STEPS[index]).join("src");
-        let sources = files(&folder).into_iter().map(|name| read(folder.join(name)));
-        let code = ray.clone() + &sources.collect::<String>();
-        let words = |text: &str| -> Vec<String> {
-            let words = text.split(|letter: char| !(letter.is_alphanumeric() || letter == '_'));
-            words.filter(|word| !word.is_empty()).map(str::to_owned).collect()
-        };
-        let known: BTreeSet<String> = words(&code).into_iter().collect();
-        for part in readme.section("The equation") {
-            if let Part::Code(code) = part {
-                let unknown = words(code).into_iter().filter(|word| !known.contains(word));
-                wrong.extend(unknown.map(|word| format!("{}: no {word}", readme.name())));
-            }
-        }
-    }
-    none(wrong);
-}
-
-#[test]
-fn no_place_is_left_to_be_filled_in() {
-    let mut wrong = Vec::new();
-    for readme in readmes() {
-        for text in readme.texts() {
-            let is_capital = |part: &str| {
-                part.contains(|letter: char| letter.is_ascii_uppercase())
-                    && !part.contains(|letter: char| letter.is_lowercase())
-            };
-            let left = text.split_whitespace().find(|word| {
-                let mut parts = word.split('_');
-                let all_capital = word.contains('_') && parts.all(is_capital);
-                all_capital || word.contains(['{', '}']) || ["TODO", "XXX"].contains(word)
-            });
-            wrong.extend(left.map(|word| format!("{}: {word} in {text}", readme.name())));
         }
     }
     none(wrong);
@@ -239,6 +188,15 @@ fn no_place_is_left_to_be_filled_in() {
 
 #[test]
 fn every_step_has_a_complete_handout() {
+    let expected = [
+        "The idea",
+        "The equation",
+        "Before and after",
+        "Try this",
+        "Two traps",
+        "Two questions",
+        "Exercise",
+    ];
     let mut wrong = Vec::new();
     for step in STEPS {
         let readme = Readme::read(&Path::new(step).join("README.md"));
@@ -246,22 +204,9 @@ fn every_step_has_a_complete_handout() {
             Part::Heading(HeadingLevel::H2, heading) => Some(heading.as_str()),
             _ => None,
         });
-        let expected = [
-            "The idea",
-            "The equation",
-            "Before and after",
-            "Try this",
-            "Two traps",
-            "Two questions",
-            "Exercise",
-        ];
         let headings: Vec<&str> = headings.filter(|heading| expected.contains(heading)).collect();
-        if headings != expected {
-            wrong.push(format!("{step}: the handout has {headings:?} and needs {expected:?}"));
-            continue;
-        }
-        let examples = fs::read_dir(root().join(step).join("examples")).into_iter().flatten();
-        for example in examples.flatten().map(|entry| entry.path()) {
+        assert_eq!(headings, expected, "{step}");
+        for example in files_below(&root().join(step).join("examples")) {
             let name = example.file_stem().and_then(|name| name.to_str()).expect("a name");
             let command = format!("cargo run -p {step} --example {name}");
             if !readme.fences("sh").flat_map(commands).any(|known| known == command) {
@@ -288,63 +233,61 @@ fn every_step_has_a_complete_handout() {
 /// The numbers in a text, in order of their digits; Portuguese has a decimal comma.
 fn numbers(readme: &Readme) -> Vec<String> {
     let text: Vec<char> = readme.texts().collect::<Vec<_>>().join(" ").chars().collect();
-    let mut numbers = vec![String::new()];
-    for (index, c) in text.iter().enumerate() {
-        let beside =
-            |at: Option<usize>| at.and_then(|at| text.get(at)).is_some_and(char::is_ascii_digit);
-        let is_point =
-            ['.', ','].contains(c) && beside(index.checked_sub(1)) && beside(Some(index + 1));
-        match numbers.last_mut() {
-            Some(number) if c.is_ascii_digit() => number.push(*c),
-            Some(number) if is_point => number.push('.'),
-            Some(number) if number.is_empty() => {}
-            _ => numbers.push(String::new()),
-        }
-    }
+    let digit = |at: usize| text.get(at).is_some_and(char::is_ascii_digit);
+    let is_point =
+        |at: usize| ['.', ','].contains(&text[at]) && digit(at.wrapping_sub(1)) && digit(at + 1);
+    let kept = (0..text.len()).map(|at| match text[at] {
+        _ if is_point(at) => '.',
+        c if c.is_ascii_digit() => c,
+        _ => ' ',
+    });
+    let kept: String = kept.collect();
+    let mut numbers: Vec<String> = kept.split_whitespace().map(str::to_owned).collect();
     numbers.sort();
     numbers
 }
 
+/// What both languages of a handout have alike, in its order.
+fn shape(readme: &Readme) -> Vec<Part> {
+    let shape = readme.parts.iter().filter_map(|part| match part {
+        Part::Heading(level, _) => Some(Part::Heading(*level, String::new())),
+        Part::Table(..) | Part::ListItem | Part::Formula(_) => Some(part.clone()),
+        Part::Fence(language, text) => {
+            // A layout is explained in comments as well.
+            let is_code = ["diff", "rust"].contains(&language.as_str());
+            let lines: Vec<&str> =
+                if is_code { text.lines().collect() } else { commands(text).collect() };
+            // What is left to the reader is said in words.
+            let line = |line: &&str| match left_to_the_reader(line) {
+                Some(words) => line.replace(words, "…"),
+                None => (*line).to_owned(),
+            };
+            let lines: Vec<String> = lines.iter().map(line).collect();
+            Some(Part::Fence(language.clone(), lines.join("\n")))
+        }
+        // A heading is another one, and so is its anchor.
+        Part::Link(link) if link.starts_with('#') => None,
+        Part::Link(link) => Some(Part::Link(link.replace(".pt-BR.", "."))),
+        Part::Html(html) => html.trim_start().starts_with("<details>").then(|| part.clone()),
+        _ => None,
+    });
+    shape.collect()
+}
+
 #[test]
 fn both_languages_say_the_same() {
+    /// Where two lists differ first.
+    fn differing<T: PartialEq>(ours: &[T], theirs: &[T]) -> Option<usize> {
+        (0..ours.len().max(theirs.len())).find(|place| ours.get(*place) != theirs.get(*place))
+    }
     let mut wrong = Vec::new();
     for translated in readmes().into_iter().filter(Readme::is_translated) {
         let name = translated.name();
-        let original = Readme::read(&PathBuf::from(name.replace(".pt-BR.md", ".md")));
-        let shape = |readme: &Readme| -> Vec<Part> {
-            let shape = readme.parts.iter().filter_map(|part| match part {
-                Part::Heading(level, _) => Some(Part::Heading(*level, String::new())),
-                Part::Table(..) | Part::ListItem | Part::Formula(_) => Some(part.clone()),
-                Part::Fence(language, text) => {
-                    // A layout is explained in comments as well.
-                    let is_code = ["diff", "rust"].contains(&language.as_str());
-                    let lines =
-                        if is_code { text.lines().collect() } else { commands(text).collect() };
-                    let lines: Vec<&str> = lines;
-                    // What is left to the reader is said in words.
-                    let line = |line: &&str| match left_to_the_reader(line) {
-                        Some(words) => line.replace(words, "…"),
-                        None => (*line).to_owned(),
-                    };
-                    let lines: Vec<String> = lines.iter().map(line).collect();
-                    Some(Part::Fence(language.clone(), lines.join("\n")))
-                }
-                // A heading is another one, and so is its anchor.
-                Part::Link(link) if link.starts_with('#') => None,
-                Part::Link(link) => Some(Part::Link(link.replace(".pt-BR.", "."))),
-                Part::Html(html) => {
-                    html.trim_start().starts_with("<details>").then(|| part.clone())
-                }
-                _ => None,
-            });
-            shape.collect()
-        };
-        let shapes = [&original, &translated].map(shape);
-        let differing = shapes[0].iter().zip(&shapes[1]).find(|(one, other)| one != other);
-        if let Some((one, other)) = differing {
-            wrong.push(format!("{name}: {other:?} instead of {one:?}"));
-        } else if shapes[0].len() != shapes[1].len() {
-            wrong.push(format!("{name}: {} parts instead of {}", shapes[1].len(), shapes[0].len()));
+        let mut fail = |what: String| wrong.push(format!("{name}: {what}"));
+        let original = Readme::read(Path::new(&name.replace(".pt-BR.md", ".md")));
+        let [ours, theirs] = [&original, &translated].map(shape);
+        if let Some(place) = differing(&ours, &theirs) {
+            fail(format!("{:?} instead of {:?}", theirs.get(place), ours.get(place)));
         }
         // The order of words in a sentence is another one.
         let sorted = |readme: &Readme| -> Vec<String> {
@@ -354,29 +297,56 @@ fn both_languages_say_the_same() {
         };
         for list in [sorted, numbers] {
             let [ours, theirs] = [&original, &translated].map(list);
-            if let Some(index) =
-                (0..ours.len().max(theirs.len())).find(|i| ours.get(*i) != theirs.get(*i))
-            {
-                let (ours, theirs) = (ours.get(index), theirs.get(index));
-                wrong.push(format!("{name}: {theirs:?} instead of {ours:?}"));
+            if let Some(place) = differing(&ours, &theirs) {
+                fail(format!("{:?} instead of {:?}", theirs.get(place), ours.get(place)));
             }
         }
         let left = |readme: &Readme| -> BTreeSet<String> {
             let lines = readme.fences("sh").flat_map(commands);
             lines.filter_map(left_to_the_reader).map(str::to_owned).collect()
         };
-        let in_english = |words: &String| format!("{name}: {words} is in English");
-        wrong.extend(left(&original).intersection(&left(&translated)).map(in_english));
+        let both = left(&original).intersection(&left(&translated)).cloned().collect::<Vec<_>>();
         // Each language leads on to itself.
         let others =
             translated.links().filter(|link| link.ends_with("README.md") && *link != "README.md");
-        wrong.extend(others.map(|link| format!("{name}: {link} is in English")));
+        let others: Vec<String> = others.map(str::to_owned).chain(both).collect();
+        others.iter().for_each(|words| fail(format!("{words} is in English")));
     }
     for readme in originals().filter(|readme| readme.step().is_some()) {
         let translation = root().join(readme.name().replace(".md", ".pt-BR.md"));
-        if !translation.exists() {
-            wrong.push(format!("{} has no translation", readme.name()));
-        }
+        assert!(translation.exists(), "{} has no translation", readme.name());
     }
     none(wrong);
+}
+
+/// The window with all steps at step 06, where a pixel was clicked and `key` pressed.
+fn in_class((col, row): (f32, f32), key: char) -> RgbImage {
+    let window = Size::DEFAULT;
+    let mut session = Session::new(Desk::new(programs(), 5));
+    session.handle(Event::Resize(window));
+    let Area { left, top, width, height } = session.picture_area();
+    let x = left + width * (col + 0.5) / window.width() as f32;
+    let y = top + height * (row + 0.5) / window.height() as f32;
+    for event in [Event::Press(x, y), Event::Release(x, y), Event::Key(Key::Char(key), false)] {
+        session.handle(event);
+    }
+    let pictures = pictures_of(session.desk(), session.shown_size());
+    let mut image = RgbImage::new(window.width() as u32, window.height() as u32);
+    session.paint(&mut image, &pictures.iter().collect::<Vec<_>>(), "");
+    image
+}
+
+#[test]
+fn the_pictures_of_the_readmes_are_what_the_programs_show() {
+    let (step, size) = (step(STEPS.len() - 1), Size::DEFAULT);
+    let camera = step.view().camera(size.aspect());
+    let top = Frame { step: &*step, camera: &*camera, size, samples: 3 }.render();
+    let mut pictures = vec![("picture.png", top)];
+    // The last digits of the numbers in them differ between processors.
+    if cfg!(target_arch = "x86_64") {
+        pictures.push(("lecture/figures/divider.png", in_class((638.0, 482.0), 'D')));
+        pictures.push(("lecture/figures/outside.png", in_class((671.0, 376.0), 'O')));
+    }
+    let held = pictures.iter().map(|(path, found)| hold_picture(&root().join(path), found, &[]));
+    none(held.filter_map(Result::err).collect());
 }

@@ -8,21 +8,15 @@
 
 pub mod chance;
 pub mod every_step;
-pub mod povray;
 pub mod prelude;
-pub mod wrong;
+pub mod run;
 
-use std::ffi::OsStr;
-use std::ffi::OsString;
 use std::fs;
 use std::io;
 use std::io::Write;
 use std::path::Path;
 use std::path::PathBuf;
-use std::process::Command;
-use std::process::Output;
 use std::rc::Rc;
-use std::sync::LazyLock;
 
 use image::codecs::png::CompressionType;
 use image::codecs::png::FilterType;
@@ -41,27 +35,13 @@ macro_rules! names {
 
 steps!(names);
 
+/// The kinds of camera, in the order of their names.
+pub const PROJECTIONS: [Projection; 2] = [Projection::Perspective, Projection::Parallel];
+
 /// A step as it starts, by its index in [`STEPS`].
 pub fn step(index: usize) -> Box<dyn Step> {
     (PROGRAMS[index].make)()
 }
-
-/// What `step` shows from `view`, with one ray a pixel.
-pub fn picture(step: &dyn Step, view: &View, width: usize, height: usize) -> RgbImage {
-    let size = Size::new(width, height).expect("a size");
-    let camera = view.camera(size.aspect());
-    Frame { step, camera: &*camera, size, samples: 1 }.render()
-}
-
-/// The linear radiance of each pixel of `step`, seen with `camera`.
-pub fn colors(step: &dyn Step, camera: &dyn Camera, width: usize, height: usize) -> Vec<Color> {
-    let mut colors = vec![Color::NAN; width * height];
-    step.render(camera, &mut Image::new(width, height, 0, &mut colors));
-    colors
-}
-
-/// The kinds of camera, in the order of their names.
-pub const PROJECTIONS: [Projection; 2] = [Projection::Perspective, Projection::Parallel];
 
 /// What makes a step for a shell, by its index in [`STEPS`].
 pub fn make(index: usize) -> Make {
@@ -85,6 +65,22 @@ pub fn act(desk: &mut Desk, act: Act) {
     desk.act(act.clone()).unwrap_or_else(|refusal| panic!("{act:?}: {refusal}"));
 }
 
+/// A size that there is.
+pub fn size(width: usize, height: usize) -> Size {
+    Size::new(width, height).expect("a size")
+}
+
+/// What `step` shows from `view`, with one ray a pixel.
+pub fn picture(step: &dyn Step, view: &View, width: usize, height: usize) -> RgbImage {
+    let size = size(width, height);
+    Frame { step, camera: &*view.camera(size.aspect()), size, samples: 1 }.render()
+}
+
+/// What `setup` shows.
+pub fn picture_of(setup: &Setup, width: usize, height: usize) -> RgbImage {
+    picture(setup.step(), setup.view(), width, height)
+}
+
 /// The pictures that `desk` shows, of this size.
 pub fn pictures_of(desk: &Desk, size: Size) -> Vec<RgbImage> {
     let render = |wanted: &Wanted<'_>| {
@@ -94,14 +90,67 @@ pub fn pictures_of(desk: &Desk, size: Size) -> Vec<RgbImage> {
     desk.pictures().iter().map(render).collect()
 }
 
-/// What `setup` shows.
-pub fn picture_of(setup: &Setup, width: usize, height: usize) -> RgbImage {
-    picture(setup.step(), setup.view(), width, height)
+/// The linear radiance of each pixel of `step`, seen with `camera`.
+pub fn colors(step: &dyn Step, camera: &dyn Camera, width: usize, height: usize) -> Vec<Color> {
+    let mut colors = vec![Color::NAN; width * height];
+    step.render(camera, &mut Image::new(width, height, 0, &mut colors));
+    colors
+}
+
+/// Every pixel of a picture of this size, row by row.
+pub fn pixels(width: usize, height: usize) -> impl Iterator<Item = Pixel> {
+    (0..width * height).map(move |at| Pixel { col: at % width, row: at / width, width, height })
 }
 
 /// The folder that holds all crates.
 pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("this package lies in the workspace")
+}
+
+/// Where tests may write.
+pub fn scratch() -> PathBuf {
+    // This test runs from target/PROFILE/deps.
+    let test = std::env::current_exe().expect("the test has a path");
+    let target = test.ancestors().nth(3).expect("target/PROFILE/deps");
+    let folder = target.join("tmp");
+    fs::create_dir_all(&folder).expect("the target folder can be written to");
+    folder
+}
+
+/// The folder `name` in [`scratch`], made anew and empty.
+pub fn empty_folder(name: &str) -> PathBuf {
+    let folder = scratch().join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("the target folder can be written to");
+    folder
+}
+
+/// All files in `folder` and in its folders; none when it is not there.
+pub fn files_below(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).into_iter().flatten();
+    let paths = entries.map(|entry| entry.expect("an entry").path());
+    paths.flat_map(|path| if path.is_dir() { files_below(&path) } else { vec![path] }).collect()
+}
+
+/// Copies all files of a folder.
+pub fn copy_folder(from: &Path, to: &Path) {
+    for path in files_below(from) {
+        let copy = to.join(path.strip_prefix(from).expect("a path in it"));
+        fs::create_dir_all(copy.parent().expect("a folder")).expect("the copy can be written");
+        fs::copy(&path, copy).expect("the copy can be written");
+    }
+}
+
+/// The text of the file `path`, from the root.
+pub fn source(path: impl AsRef<Path>) -> String {
+    let path = root().join(path);
+    fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// Fails when there is something wrong, with all of it.
+#[track_caller]
+pub fn none(wrong: Vec<String>) {
+    assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
 }
 
 /// Prints a line, also from a test that passes.
@@ -123,15 +172,15 @@ pub fn read_picture(path: &Path) -> RgbImage {
 
 /// Compares `found` with `expected`; `others` are named pictures that it may be instead.
 /// When they differ it says how, in one line, and where to see it: both pictures and their difference
-/// are then in `name`_differs.png in `folder`.
+/// are then in `name`_differs.png in [`scratch`].
 pub fn compare(
-    name: &str, expected: &RgbImage, found: &RgbImage, others: &[(&str, RgbImage)], folder: &Path,
+    name: &str, expected: &RgbImage, found: &RgbImage, others: &[(&str, RgbImage)],
 ) -> Result<Comparison, String> {
     let comparison = Comparison::new(expected, found, others);
     if comparison.is_equal() {
         return Ok(comparison);
     }
-    let path = folder.join(format!("{name}_differs.png"));
+    let path = scratch().join(format!("{name}_differs.png"));
     side_by_side(expected, found).save(&path).expect("the target folder can be written to");
     let path = path.display();
     Err(format!("{name}: {comparison}\n  expected, found, 8 × their difference: {path}"))
@@ -139,7 +188,7 @@ pub fn compare(
 
 /// Holds `found` to the snapshot `path`, a PNG, or makes that anew; for the rest see [`compare`].
 pub fn hold_picture(
-    path: &Path, found: &RgbImage, others: &[(&str, RgbImage)], folder: &Path,
+    path: &Path, found: &RgbImage, others: &[(&str, RgbImage)],
 ) -> Result<(), String> {
     if updating_snapshots() {
         if !path.exists() || read_picture(path) != *found {
@@ -162,102 +211,6 @@ pub fn hold_picture(
         return Err(format!("there is no {shown}: {remedy}"));
     }
     let name = path.file_stem().and_then(|stem| stem.to_str()).expect("a name");
-    let compared = compare(name, &read_picture(path), found, others, folder);
+    let compared = compare(name, &read_picture(path), found, others);
     compared.map(drop).map_err(|how| format!("{how}\n  expected is {shown}; {remedy}"))
-}
-
-/// `program`, to be started: told that the system speaks English and has no display, whatever it
-/// speaks and has. Every program that a test starts is started here, also one that starts ours, so
-/// that no test fails in another country or opens a window and waits for somebody to close it.
-pub fn start(program: impl AsRef<OsStr>) -> Command {
-    #[expect(clippy::disallowed_methods, reason = "this is where")]
-    let mut command = Command::new(program);
-    command.env("LC_ALL", "C").env("DISPLAY", "").env_remove("WAYLAND_DISPLAY");
-    command
-}
-
-/// The folder of the built programs: those of all steps are built when it is first asked for.
-static BUILT: LazyLock<PathBuf> = LazyLock::new(|| {
-    // This test runs from target/PROFILE/deps.
-    let test = std::env::current_exe().expect("the test has a path");
-    let profile = test.parent().and_then(Path::parent).expect("target/PROFILE/deps");
-    let mut build = start(env!("CARGO"));
-    build.current_dir(root()).args([
-        "build",
-        "--quiet",
-        "--workspace",
-        "--bins",
-        "--example",
-        "figure",
-    ]);
-    build.arg("--target-dir").arg(profile.parent().expect("target/PROFILE"));
-    if profile.ends_with("release") {
-        build.arg("--release");
-    }
-    assert!(build.status().expect("cargo runs").success(), "the steps do not build");
-    profile.to_owned()
-});
-
-/// The built program of a step, or a figure as `examples/NAME`.
-pub fn program(name: &str) -> Command {
-    let built = |name: &str| BUILT.join(name).with_extension(std::env::consts::EXE_EXTENSION);
-    match name.strip_prefix("examples/") {
-        None => start(built(name)),
-        Some(figure) => {
-            let mut command = start(built("examples/figure"));
-            command.arg(figure);
-            command
-        }
-    }
-}
-
-/// A step's program, to be run in `folder`, which is home and holds what is temporary too, so that
-/// whatever the program writes unasked is found there.
-pub fn command(name: &str, folder: &Path) -> Command {
-    at_home(program(name), folder)
-}
-
-/// The same, run by a shell: in `script` the program is `"$0"`, and `"$@"` its arguments.
-#[cfg(unix)]
-pub fn shell(script: &str, name: &str, folder: &Path) -> Command {
-    let mut shell = at_home(start("sh"), folder);
-    shell.args(["-c", script]).arg(program(name).get_program());
-    shell
-}
-
-fn at_home(mut command: Command, folder: &Path) -> Command {
-    command.current_dir(folder).env("HOME", folder).env("TMPDIR", folder);
-    command
-}
-
-/// The names of the files in `folder`, hidden ones too, in order.
-pub fn files(folder: &Path) -> Vec<OsString> {
-    let entries = fs::read_dir(folder).expect("a folder");
-    let mut names: Vec<OsString> =
-        entries.map(|entry| entry.expect("an entry").file_name()).collect();
-    names.sort();
-    names
-}
-
-/// All files in `folder` and in its folders; none when it is not there.
-pub fn files_below(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).into_iter().flatten();
-    let paths = entries.map(|entry| entry.expect("an entry").path());
-    paths.flat_map(|path| if path.is_dir() { files_below(&path) } else { vec![path] }).collect()
-}
-
-/// The folder `name` in `parent`, made anew and empty.
-pub fn empty_folder(parent: &Path, name: &str) -> PathBuf {
-    let folder = parent.join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).expect("the target folder can be written to");
-    folder
-}
-
-/// The single line that `output` has on standard error.
-pub fn only_line(output: &Output) -> &str {
-    let text = str::from_utf8(&output.stderr).expect("text on standard error");
-    let line = text.strip_suffix('\n').expect("a whole line on standard error");
-    assert!(!line.contains('\n'), "more than one line on standard error:\n{text}");
-    line
 }

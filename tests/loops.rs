@@ -124,14 +124,10 @@ fn a_loop_over_the_whole_picture_draws_it_and_is_called_once() {
 }
 
 #[test]
-fn a_loop_over_the_rows_asked_for_is_called_for_few_at_a_time() {
+fn no_more_of_a_picture_is_drawn_at_a_time_than_fits_into_memory() {
     let step = Loops::default();
     frame(&step, (7, 500), 1).render();
     assert_eq!(step.calls.into_inner(), 500, "a row at a time, so that little memory does");
-}
-
-#[test]
-fn a_picture_too_large_for_the_memory_is_drawn_in_parts() {
     let step = Loops { whole: true, ..Loops::default() };
     for (width, height, samples) in [(100_000, 1000, 16), (10_000, 10_000, 1), (1, 100_000, 16)] {
         let rows = frame(&step, (width, height), samples).rows_at_a_time();

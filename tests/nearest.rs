@@ -3,13 +3,11 @@
 use tests::prelude::*;
 
 use crate::geometry::down;
-use crate::geometry::open_range;
+use crate::geometry::meets;
 
 checks!(scenes {
-    a_ray_that_hits_nothing_sees_the_background,
-    of_two_surfaces_in_one_place_the_first_is_seen,
-    closest_of_many_wins_in_any_order,
-    t_min_and_t_max_are_open_in_a_scene,
+    the_closest_of_many_is_seen_in_any_order,
+    where_nothing_is_hit_is_the_background
 });
 
 /// A sphere of radius ½ around (0, 0, z) and a large triangle in the plane z, both of colour z.
@@ -20,9 +18,13 @@ fn at(z: f32) -> ((Ball, Paint), ([Vec3; 3], Paint)) {
     ((ball, paint), (abc, paint))
 }
 
-fn closest_of_many_wins_in_any_order<S: Scenes>() {
-    let why = "the closest hit is kept, by shrinking t_max with each one found";
-    // All orders of three.
+fn scene<S: Scenes>(spheres: &[f32], triangles: &[f32]) -> S::Scene {
+    let spheres = spheres.iter().map(|z| at(*z).0).collect();
+    let triangles = triangles.iter().map(|z| at(*z).1).collect();
+    S::scene(&World { spheres, triangles, ..World::default() })
+}
+
+fn the_closest_of_many_is_seen_in_any_order<S: Scenes>() {
     let orders = |[a, b, c]: [f32; 3]| {
         [[a, b, c], [a, c, b], [b, a, c], [b, c, a], [c, a, b], [c, b, a]].into_iter()
     };
@@ -33,21 +35,24 @@ fn closest_of_many_wins_in_any_order<S: Scenes>() {
         for (spheres, triangles) in
             orders(spheres).flat_map(|order| orders(triangles).map(move |other| (order, other)))
         {
-            let scene = S::scene(&World {
-                spheres: spheres.map(|z| at(z).0).to_vec(),
-                triangles: triangles.map(|z| at(z).1).to_vec(),
-                ..World::default()
-            });
-            let order = format!("{why}; spheres at z = {spheres:?}, triangles at {triangles:?}");
-            let found = S::closest(&scene, &down(0.0, 0.0), 0.0, f32::INFINITY);
-            let found_color = found.map_or(Color::NAN, |(_, color)| color);
-            near::<S, _>("the colour hit", found_color, Color::splat(5.0), &order);
-            near::<S, _>("t", hit::<S>(found.map(|(hit, _)| hit), &order).t, t, &order);
+            let scene = scene::<S>(&spheres, &triangles);
+            let why = format!("each hit found shrinks t_max; z = {spheres:?} and {triangles:?}");
+            let closest = |ray: &Ray, t_min, t_max| S::closest(&scene, ray, t_min, t_max);
+            let found = |ray: &Ray, t_min, t_max| closest(ray, t_min, t_max).map(|(hit, _)| hit);
+            meets::<S>(found, &down(0.0, 0.0), Some((t, Vec3::Z)), &why);
+            let seen = closest(&down(0.0, 0.0), 0.0, f32::INFINITY);
+            let color = seen.map_or(Color::NAN, |(_, color)| color);
+            near::<S, _>("the colour hit", color, Color::splat(5.0), &why);
         }
     }
-}
-
-fn of_two_surfaces_in_one_place_the_first_is_seen<S: Scenes>() {
+    // All hits, one after the other.
+    let scene = scene::<S>(&[4.0, 0.0], &[2.0]);
+    let mut t = 0.0;
+    for expected in [5.5, 6.5, 8.0, 9.5, 10.5].into_iter().map(Some).chain([None]) {
+        let next = S::closest(&scene, &down(0.0, 0.0), t, f32::INFINITY).map(|(hit, _)| hit.t);
+        assert_eq!(next, expected, "{}: beyond t_min = {t} the next hit is the first", S::NAME);
+        t = next.unwrap_or(t);
+    }
     let ((ball, _), (abc, _)) = at(0.0);
     let paints = [matte(Color::X), matte(Color::Y)];
     let spheres = paints.map(|paint| (ball, paint)).to_vec();
@@ -59,29 +64,15 @@ fn of_two_surfaces_in_one_place_the_first_is_seen<S: Scenes>() {
     }
 }
 
-fn t_min_and_t_max_are_open_in_a_scene<S: Scenes>() {
-    let scene = S::scene(&World {
-        spheres: vec![at(4.0).0, at(0.0).0],
-        triangles: vec![at(2.0).1],
-        ..World::default()
-    });
-    let ray = down(0.0, 0.0);
-    open_range::<S>(&[5.5, 6.5, 8.0, 9.5, 10.5], |t_min, t_max| {
-        S::closest(&scene, &ray, t_min, t_max).map(|(hit, _)| hit)
-    });
-}
-
-fn a_ray_that_hits_nothing_sees_the_background<S: Scenes>() {
+fn where_nothing_is_hit_is_the_background<S: Scenes>() {
     let background = Color::new(0.1, 0.2, 0.3);
-    let empty = World { background, ..World::default() };
-    let behind = World {
-        spheres: vec![at(12.0).0, at(14.0).0],
-        triangles: vec![at(11.0).1, at(10.0).1],
-        ..empty.clone()
-    };
-    let beside = World { spheres: vec![at(2.0).0], ..empty.clone() };
-    let why = "there is nothing, or beside the ray, or at its origin and behind: t > 0";
-    for (world, x) in [(empty, 0.0), (behind, 0.0), (beside, 2.0)] {
-        near::<S, _>("the colour", S::trace(&S::scene(&world), &down(x, 0.0)), background, why);
+    for (spheres, triangles, x) in
+        [(vec![], vec![], 0.0), (vec![12.0, 14.0], vec![11.0, 10.0], 0.0), (vec![2.0], vec![], 2.0)]
+    {
+        let spheres = spheres.into_iter().map(|z| at(z).0).collect();
+        let triangles = triangles.into_iter().map(|z| at(z).1).collect();
+        let scene = S::scene(&World { spheres, triangles, background, ..World::default() });
+        let why = "there is nothing, or beside the ray, or at its origin and behind: t > 0";
+        near::<S, _>("the colour", S::trace(&scene, &down(x, 0.0)), background, why);
     }
 }

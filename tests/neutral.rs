@@ -16,18 +16,15 @@ const HEIGHT: usize = 54;
 
 /// The lecture's view and one from the side, in both projections.
 fn views(step: &dyn Step) -> [View; 4] {
-    [
-        (0.0, Projection::Perspective),
-        (0.0, Projection::Parallel),
-        (50.0, Projection::Perspective),
-        (-130.0, Projection::Parallel),
-    ]
-    .map(|(turn, projection)| {
-        let mut view = step.view();
-        view.orbit(turn, 0.0);
-        view.projection = projection;
-        view
-    })
+    let [perspective, parallel] = PROJECTIONS;
+    [(0.0, perspective), (0.0, parallel), (50.0, perspective), (-130.0, parallel)].map(
+        |(turn, projection)| {
+            let mut view = step.view();
+            view.orbit(turn, 0.0);
+            view.projection = projection;
+            view
+        },
+    )
 }
 
 fn camera(view: &View) -> Box<dyn Camera> {
@@ -42,9 +39,7 @@ fn colors(step: &dyn Step, view: &View) -> Vec<Color> {
 /// Every pixel, explained.
 fn explanations(step: &dyn Step, view: &View) -> Vec<Explanation> {
     let camera = camera(view);
-    let pixel =
-        |index| Pixel { col: index % WIDTH, row: index / WIDTH, width: WIDTH, height: HEIGHT };
-    (0..WIDTH * HEIGHT).map(|index| step.explain(&*camera, pixel(index))).collect()
+    pixels(WIDTH, HEIGHT).map(|pixel| step.explain(&*camera, pixel)).collect()
 }
 
 #[track_caller]
@@ -118,7 +113,7 @@ fn step06_with_one_light_and_no_shadow_is_step05() {
 /// What step 05, which has no shadows, shows of one light after the other is all that step 06 adds up
 /// where ε = 1; and of step 07 it is all but the highlights.
 #[test]
-fn with_epsilon_1_each_light_lights_all_that_faces_it() {
+fn with_epsilon_1_each_light_lights_all_that_faces_it_and_nothing_is_said_to_block_it() {
     let mut later = Shadow::default();
     later.scene.epsilon = UNSHADOWED;
     let mut dull = Specular::default();
@@ -126,10 +121,9 @@ fn with_epsilon_1_each_light_lights_all_that_faces_it() {
     dull.scene.objects.iter_mut().for_each(|object| object.material.k_s = 0.0);
     let mut dark = later.clone();
     dark.scene.lights.clear();
-    let lights = later.scene.lights.clone();
     for view in views(&later) {
         let mut expected = colors(&dark, &view);
-        for light in &lights {
+        for light in &later.scene.lights {
             let mut earlier = Diffuse::default();
             // The background is no light of its own.
             earlier.scene.background = Color::ZERO;
@@ -145,20 +139,10 @@ fn with_epsilon_1_each_light_lights_all_that_faces_it() {
         let shadowed = colors(&Shadow::default(), &view);
         assert!(shadowed != expected, "with ε = 10⁻³ there are shadows, seen from {view:?}");
     }
-}
-
-#[test]
-fn with_epsilon_1_nothing_is_said_to_block_a_light() {
-    for index in [5, 6] {
-        let mut setup = setup(index);
-        setup.set("epsilon", "1").expect("the slider reaches 1");
-        let told = explanations(setup.step(), setup.view());
-        let lines = told.iter().flat_map(Explanation::lines);
-        let blockers: Vec<Value> =
-            lines.filter(|line| line.equation == "blocked by").map(|line| line.value).collect();
-        let nothing = blockers.iter().all(|value| *value == Value::Word("nothing"));
-        assert!(nothing && !blockers.is_empty(), "{}: {blockers:?}", STEPS[index]);
-    }
+    let told = [&later as &dyn Step, &dull].map(|step| explanations(step, &step.view())).concat();
+    let mut blockers = told.iter().flat_map(|told| told.lines().copied().collect::<Vec<_>>());
+    let nothing = Value::Word("nothing");
+    assert!(blockers.all(|line| line.equation != "blocked by" || line.value == nothing));
 }
 
 #[test]
@@ -177,17 +161,24 @@ fn step05_with_its_light_divided_out_is_step04() {
     }
 }
 
-/// What is known of a pixel before light comes in: the ray, and all hits.
+/// What is known of a pixel before light comes in, and before anything is hit.
 #[test]
-fn steps_04_to_07_hit_the_same() {
-    let first = Flat::default();
-    let later: [&dyn Step; 3] = [&Diffuse::default(), &Shadow::default(), &Specular::default()];
-    for view in views(&first) {
-        let expected = explanations(&first, &view);
-        for later in later {
-            for (a, b) in explanations(later, &view).iter().zip(&expected) {
-                for part in ["viewing ray", "intersection"] {
-                    assert_eq!(a.scope(part), b.scope(part), "the {part} is step 04's");
+fn later_steps_cast_the_rays_of_step01_and_hit_what_step04_does() {
+    let (rays, flat) = (Rays::default(), Flat::default());
+    let round: [&dyn Step; 2] = [&Sphere::default(), &Triangle::default()];
+    let lit: [&dyn Step; 3] = [&Diffuse::default(), &Shadow::default(), &Specular::default()];
+    for (first, later, parts) in [
+        (&rays as &dyn Step, &round[..], &["viewing ray"][..]),
+        (&flat, &lit, &["viewing ray", "intersection"]),
+    ] {
+        for view in views(first) {
+            let expected = explanations(first, &view);
+            for later in later {
+                assert_eq!(later.view(), first.view(), "it is seen from the same place");
+                for (a, b) in explanations(*later, &view).iter().zip(&expected) {
+                    for part in parts {
+                        assert_eq!(a.scope(part), b.scope(part), "the {part} is the first step's");
+                    }
                 }
             }
         }
@@ -195,42 +186,20 @@ fn steps_04_to_07_hit_the_same() {
 }
 
 #[test]
-fn step04_with_one_triangle_covers_what_step03_does() {
-    let earlier = Triangle::default();
-    let triangles = vec![(earlier.vertices, matte(Color::ONE))];
-    let later = Flat { scene: Flat::scene(&World { triangles, ..World::default() }) };
-    for view in views(&earlier) {
+fn step04_with_one_surface_is_step03_or_step02() {
+    let (sphere, triangle) = (Sphere::default(), Triangle::default());
+    let triangles = vec![(triangle.vertices, matte(Color::ONE))];
+    let alone = Flat { scene: Flat::scene(&World { triangles, ..World::default() }) };
+    let spheres = vec![(Ball { center: Vec3::ZERO, radius: 1.0 }, matte(Color::ONE))];
+    let round = Flat { scene: Flat::scene(&World { spheres, ..World::default() }) };
+    for view in views(&triangle) {
         // α + β + γ = 1 inside, so that no pixel of it is black.
         let white = |weights| if weights == Color::ZERO { Color::ZERO } else { Color::ONE };
-        let covered: Vec<Color> = colors(&earlier, &view).into_iter().map(white).collect();
+        let covered: Vec<Color> = colors(&triangle, &view).into_iter().map(white).collect();
         let why = "its triangle is all there is, in white";
-        same::<Flat, Triangle>(&colors(&later, &view), &covered, why);
-    }
-}
-
-#[test]
-fn step04_with_the_unit_sphere_is_step02() {
-    let earlier = Sphere::default();
-    let spheres = vec![(Ball { center: Vec3::ZERO, radius: 1.0 }, matte(Color::ONE))];
-    let later = Flat { scene: Flat::scene(&World { spheres, ..World::default() }) };
-    for view in views(&earlier) {
+        same::<Flat, Triangle>(&colors(&alone, &view), &covered, why);
         let why = "the slide's white unit sphere on black is all there is";
-        same::<Flat, Sphere>(&colors(&later, &view), &colors(&earlier, &view), why);
-    }
-}
-
-#[test]
-fn steps_02_and_03_cast_the_rays_of_step01() {
-    let first = Rays::default();
-    let later: [&dyn Step; 2] = [&Sphere::default(), &Triangle::default()];
-    for later in later {
-        assert_eq!(later.view(), first.view(), "the view is step 01's");
-        for view in views(&first) {
-            for (a, b) in explanations(later, &view).iter().zip(explanations(&first, &view)) {
-                let ray = "viewing ray";
-                assert_eq!(a.scope(ray), b.scope(ray), "u, v, p and d are step 01's");
-            }
-        }
+        same::<Flat, Sphere>(&colors(&round, &view), &colors(&sphere, &view), why);
     }
 }
 

@@ -2,11 +2,13 @@
 
 use std::path::Path;
 
-use crate::prelude::*;
+use tests::prelude::*;
 
 /// What POV-Ray makes of `scene`, with its variables set as `declared`. The picture stays in
 /// `file`.
-pub fn render(scene: &Path, declared: &[&str], size: (usize, usize), file: &Path) -> RgbImage {
+pub(crate) fn render(
+    scene: &Path, declared: &[&str], size: (usize, usize), file: &Path,
+) -> RgbImage {
     let (width, height) = size;
     let folder = file.parent().expect("a file in a folder");
     let mut povray = start("povray");

@@ -10,5 +10,6 @@ pub use show::*;
 pub use crate::chance::*;
 pub use crate::every_step::TOLERANCE;
 pub use crate::every_step::*;
-pub use crate::wrong::*;
+pub use crate::run::run;
+pub use crate::run::*;
 pub use crate::*;

@@ -1,28 +1,23 @@
-//! What the page with all steps is answered, as a browser would ask, without one.
+//! What the page is answered, as a browser would ask, without one.
 
-use common::Pixel;
-use common::Scope;
 use lecture::PROGRAMS;
-use lecture::Page;
+use page::Page;
 use serde_json::Value;
 use serde_json::json;
-use show::Frame;
-use show::Size;
-use show::texts;
-use tests::step;
+use tests::prelude::*;
 
 /// A page that is asked in JSON.
-struct Asked(Page);
+pub(crate) struct Asked(Page);
 
 impl Asked {
     /// A page that shows what `address` says.
-    fn at(address: &str) -> Self {
-        let mut page = Self(Page::default());
+    pub(crate) fn at(address: &str) -> Self {
+        let mut page = Self(lecture::page());
         page.does(json!({"open": address}));
         page
     }
 
-    fn answer(&mut self, question: &Value, below: &[u8]) -> Result<Vec<u8>, String> {
+    pub(crate) fn answer(&mut self, question: &Value, below: &[u8]) -> Result<Vec<u8>, String> {
         self.0.answer(&[question.to_string().as_bytes(), b"\n", below].concat())
     }
 
@@ -30,19 +25,19 @@ impl Asked {
         self.answer(&question, below).unwrap_or_else(|error| panic!("{question}: {error}"))
     }
 
-    fn ask(&mut self, question: Value) -> Value {
+    pub(crate) fn ask(&mut self, question: Value) -> Value {
         serde_json::from_slice(&self.bytes(question, b"")).expect("JSON")
     }
 
-    fn does(&mut self, what: Value) -> Value {
+    pub(crate) fn does(&mut self, what: Value) -> Value {
         self.ask(json!({"do": what}))
     }
 
-    fn press(&mut self, key: &str) {
-        self.ask(json!({"key": {"key": key, "down": true}}));
+    fn press(&mut self, key: &str) -> Value {
+        self.ask(json!({"key": {"key": key, "down": true}}))
     }
 
-    fn state(&mut self) -> Value {
+    pub(crate) fn state(&mut self) -> Value {
         self.ask(json!({"state": {"spoken": "en"}}))
     }
 
@@ -76,12 +71,9 @@ fn rows(layer: Value, size: [u64; 2], first: u64, count: u64) -> Value {
 
 #[test]
 fn rows_are_those_of_the_step() {
-    let size = Size::new(64, 36).expect("a size");
     for (index, program) in PROGRAMS.iter().enumerate() {
         let mut page = Asked::at(&program.name[..6]);
-        let step = step(index);
-        let camera = step.view().camera(size.aspect());
-        let picture = Frame { step: &*step, camera: &*camera, size, samples: 1 }.render();
+        let picture = picture_of(&setup(index), 64, 36);
         let parts = [(0, 20), (20, 16)]
             .map(|(first, count)| page.bytes(rows(json!("now"), [64, 36], first, count), b""));
         assert!(parts.concat() == *picture.as_raw(), "{}", program.name);
@@ -103,7 +95,7 @@ fn a_handle_follows_the_hand() {
     let mut page = Asked::at("#step03&handles=on");
     let grab =
         |page: &mut Asked, at: [f32; 2]| page.ask(json!({"grab": {"at": at, "reach": 0.01}}));
-    let mut places = (0..96 * 54).map(|at| [(at % 96) as f32 / 96.0, (at / 96) as f32 / 54.0]);
+    let mut places = pixels(96, 54).map(|at| [at.col as f32 / 96.0, at.row as f32 / 54.0]);
     let [u, v] = places.find(|at| grab(&mut page, *at) == 0).expect("a corner is seen");
     page.does(json!({"drag": [0, [u - 0.1, v]]}));
     assert_eq!(grab(&mut page, [u, v]), Value::Null);

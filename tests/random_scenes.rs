@@ -12,7 +12,6 @@
 use std::array;
 use std::collections::HashSet;
 use std::fs;
-use std::path::Path;
 
 use fastrand::Rng;
 use lecture::step07_specular::Lesson;
@@ -23,6 +22,8 @@ use lecture::step07_specular::triangle::Triangle;
 use rayon::iter::IntoParallelIterator;
 use rayon::iter::ParallelIterator;
 use tests::prelude::*;
+
+use crate::povray;
 
 /// How far from the centre of a pixel an edge may have moved, in pixels.
 const SHIFT: f32 = 1.0 / 256.0;
@@ -185,8 +186,7 @@ impl RandomScene {
 
 fn looks_the_same_to_pov_ray(seed: u64) {
     let random = RandomScene::new(seed);
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
-    let path = folder.join(format!("random_scene_{seed}.pov"));
+    let path = scratch().join(format!("random_scene_{seed}.pov"));
     fs::write(&path, random.pov()).expect("the target folder can be written to");
     let size = (random.size.width(), random.size.height());
     let expected = povray::render(&path, &[], size, &path.with_extension("png"));

@@ -1,6 +1,5 @@
 //! READMEs, taken apart into what can be held to something.
 
-use std::fs;
 use std::path::Path;
 use std::path::PathBuf;
 
@@ -13,7 +12,9 @@ use pulldown_cmark::Tag;
 use pulldown_cmark::TagEnd;
 use show::Language;
 use tests::STEPS;
+use tests::files_below;
 use tests::root;
+use tests::source;
 
 /// The languages, and what a handout is called in each.
 pub(crate) const LANGUAGES: [(Language, &str); 2] =
@@ -46,10 +47,9 @@ pub(crate) struct Readme {
 }
 
 impl Readme {
+    /// The file `path`, from the root.
     pub(crate) fn read(path: &Path) -> Self {
-        let text = fs::read_to_string(root().join(path))
-            .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-        Self { path: path.to_owned(), parts: parts(&text) }
+        Self { path: path.to_owned(), parts: parts(&source(path)) }
     }
 
     /// Where it lies, from the root.
@@ -102,16 +102,11 @@ impl Readme {
 
     /// Its words.
     pub(crate) fn texts(&self) -> impl Iterator<Item = &str> {
-        texts(&self.parts)
+        self.parts.iter().filter_map(|part| match part {
+            Part::Text(text) | Part::Heading(_, text) => Some(text.as_str()),
+            _ => None,
+        })
     }
-}
-
-/// The words in `parts`.
-pub(crate) fn texts(parts: &[Part]) -> impl Iterator<Item = &str> {
-    parts.iter().filter_map(|part| match part {
-        Part::Text(text) | Part::Heading(_, text) => Some(text.as_str()),
-        _ => None,
-    })
 }
 
 /// What `parts` say to the tests alone.
@@ -146,14 +141,12 @@ fn parts(text: &str) -> Vec<Part> {
                 parts.push(Part::Text(" ".to_owned()));
             }
             Event::Code(code) => {
-                let around = [index.checked_sub(1), Some(index + 1)];
-                let around = around.map(|index| index.and_then(|index| events.get(index)));
-                parts.push(match around {
-                    [Some(Event::Start(Tag::Strong)), Some(Event::End(TagEnd::Strong))] => {
-                        Part::Control(code.to_string())
-                    }
-                    _ => Part::Code(code.to_string()),
-                });
+                let is_strong = matches!(
+                    (events.get(index.wrapping_sub(1)), events.get(index + 1)),
+                    (Some(Event::Start(Tag::Strong)), Some(Event::End(TagEnd::Strong)))
+                );
+                let part = if is_strong { Part::Control } else { Part::Code };
+                parts.push(part(code.to_string()));
             }
             Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => {
                 parts.push(Part::Link(dest_url.to_string()));
@@ -191,31 +184,19 @@ pub(crate) fn originals() -> impl Iterator<Item = Readme> {
     readmes().into_iter().filter(|readme| !readme.is_translated())
 }
 
-/// All READMEs: those of the root, of the steps, and of whatever else holds one; and how to add to
-/// them.
+/// All READMEs: those of the root, of the steps, and of the tests' references; and how to add to them.
 pub(crate) fn readmes() -> Vec<Readme> {
-    fn collect(folder: &Path, found: &mut Vec<PathBuf>) {
-        for entry in fs::read_dir(folder).expect("the folder can be read").flatten() {
-            let (path, name) = (entry.path(), entry.file_name());
-            let name = name.to_string_lossy();
-            if path.is_dir() && !name.starts_with('.') && name != "target" {
-                collect(&path, found);
-            } else if name.starts_with("README") || name == "CONTRIBUTING.md" {
-                found.push(path);
-            }
-        }
-    }
-    let mut paths = Vec::new();
-    collect(root(), &mut paths);
+    let folders = STEPS.into_iter().chain(["common", "lecture", "tests"]);
+    let mut paths: Vec<PathBuf> =
+        folders.flat_map(|folder| files_below(&root().join(folder))).collect();
+    paths.extend(tests::run::files(root()).into_iter().map(|name| root().join(name)));
+    paths.retain(|path| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        name.starts_with("README") || name == "CONTRIBUTING.md"
+    });
     paths.sort();
     let inside = |path: &PathBuf| path.strip_prefix(root()).map(Readme::read);
     paths.iter().map(|path| inside(path).expect("it was found below the root")).collect()
-}
-
-/// Fails with all that is wrong.
-#[track_caller]
-pub(crate) fn none(wrong: Vec<String>) {
-    assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
 }
 
 /// The commands of a fenced block, without comments.

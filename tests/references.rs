@@ -6,6 +6,8 @@ use std::path::PathBuf;
 
 use tests::prelude::*;
 
+use crate::povray;
+
 checks!(scenes {
     shows_what_pov_ray_does,
     #[ignore = "needs POV-Ray"]
@@ -15,16 +17,15 @@ checks!(scenes {
 const SIZE: (usize, usize) = (960, 540);
 
 fn reference(file: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("references").join(file)
+    root().join("tests/references").join(file)
 }
 
 fn is_the_reference(file: &str, name: &str, found: &RgbImage) {
-    let expected = read_picture(&reference(file));
     let others = STEPS.map(self::file);
     let others = others.iter().filter(|other| *other != file && reference(other).exists());
     let others: Vec<_> =
         others.map(|other| (other.as_str(), read_picture(&reference(other)))).collect();
-    match compare(name, &expected, found, &others, Path::new(env!("CARGO_TARGET_TMPDIR"))) {
+    match compare(name, &read_picture(&reference(file)), found, &others) {
         Ok(comparison) => say(&format!("{name}: {comparison}")),
         Err(how) => panic!("{how}"),
     }
@@ -32,8 +33,7 @@ fn is_the_reference(file: &str, name: &str, found: &RgbImage) {
 
 /// The reference of a step: step04.png of step04_scene.
 fn file(step: &str) -> String {
-    let (number, _) = step.split_once('_').expect("a step's name is stepNN_CONCEPT");
-    format!("{number}.png")
+    format!("{}.png", &step[..6])
 }
 
 fn shows_what_pov_ray_does<S: Scenes>() {
@@ -43,8 +43,7 @@ fn shows_what_pov_ray_does<S: Scenes>() {
 }
 
 fn reference_is_what_pov_ray_makes_of_the_scene<S: Scenes>() {
-    let file = file(S::NAME);
-    let number = file.trim_start_matches("step0").trim_end_matches(".png");
+    let (file, number) = (file(S::NAME), &S::NAME[5..6]);
     let made = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("pov_ray_{file}"));
     let declared = format!("Step={number}");
     let found = povray::render(&reference("lecture.pov"), &[&declared], SIZE, &made);

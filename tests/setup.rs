@@ -5,51 +5,8 @@ use std::rc::Rc;
 use lecture::step07_specular::Lesson as Specular;
 use lecture::step07_specular::scene::Object;
 use lecture::step07_specular::surface::Surface;
-use proptest::collection::vec;
 use proptest::prelude::*;
-use proptest::sample::Index;
 use tests::prelude::*;
-
-/// What is done with a setup, by hand.
-#[derive(Clone, Debug)]
-enum Act {
-    Drag(Index, f32),
-    Key(Index, f32),
-    Orbit(f32, f32),
-    Zoom(f32),
-    Move(Index, [f32; 3]),
-    Reset(Index),
-}
-
-fn act() -> impl Strategy<Value = Act> {
-    let angle = -200.0..200.0_f32;
-    prop_oneof![
-        8 => (any::<Index>(), -0.1..1.1_f32).prop_map(|(which, part)| Act::Drag(which, part)),
-        4 => (any::<Index>(), -9.0..9.0_f32).prop_map(|(which, steps)| Act::Key(which, steps)),
-        1 => (angle.clone(), angle).prop_map(|(right, up)| Act::Orbit(right, up)),
-        1 => (0.5..2.0_f32).prop_map(Act::Zoom),
-        2 => (any::<Index>(), [-4.0..4.0_f32, -4.0..4.0, -4.0..4.0])
-            .prop_map(|(which, place)| Act::Move(which, place)),
-        1 => any::<Index>().prop_map(Act::Reset),
-    ]
-}
-
-fn act_on(setup: &mut Setup, act: &Act) {
-    let list = setup.list();
-    match act {
-        Act::Drag(which, part) => setup.set_fraction(&which.get(&list).name, *part),
-        Act::Key(which, steps) => setup.nudge(&which.get(&list).name, *steps),
-        Act::Orbit(right, up) => setup.orbit(*right, *up),
-        Act::Zoom(factor) => setup.zoom(*factor),
-        Act::Move(which, place) => {
-            let points = setup.points();
-            if !points.is_empty() {
-                setup.move_point(which.get(&points), Vec3::from(*place));
-            }
-        }
-        Act::Reset(which) => setup.reset(&which.get(&list).name),
-    }
-}
 
 /// What is seen, to the last bit.
 fn seen(setup: &Setup) -> Vec<[u32; 3]> {
@@ -57,62 +14,35 @@ fn seen(setup: &Setup) -> Vec<[u32; 3]> {
     colors.into_iter().map(|color| color.to_array().map(f32::to_bits)).collect()
 }
 
-/// The step `index` with `settings` made, each of which it takes.
-fn set_to(index: usize, settings: &[String]) -> Setup {
-    let mut setup = setup(index);
-    for setting in settings {
-        let (name, value) = setting.split_once('=').expect("NAME=VALUE");
-        setup.set(name, value).unwrap_or_else(|error| panic!("{}: {error}", STEPS[index]));
-    }
-    setup
-}
-
-proptest! {
-    #![proptest_config(config(400))]
-
-    #[test]
-    fn its_settings_give_the_same_picture_in_any_order(
-        index in 0..STEPS.len(), acts in vec(act(), 0..12),
-    ) {
-        let mut found = setup(index);
-        acts.iter().for_each(|act| act_on(&mut found, act));
-        let mut settings = found.settings();
-        for _ in 0..2 {
-            let again = set_to(index, &settings);
-            prop_assert_eq!(seen(&again), seen(&found), "{:?}", settings);
-            prop_assert_eq!(again.list(), found.list(), "{:?}", settings);
-            prop_assert_eq!(again.points(), found.points(), "{:?}", settings);
-            settings.reverse();
+/// Whatever was done with the step `index`: its settings, in any order, give the same again; another
+/// step takes what it has of it; and there and back nothing is lost.
+pub(crate) fn holds(found: &Setup, index: usize, other: usize) -> Result<(), TestCaseError> {
+    let mut settings = found.settings();
+    for _ in 0..2 {
+        let mut again = setup(index);
+        for setting in &settings {
+            let (name, value) = setting.split_once('=').expect("NAME=VALUE");
+            prop_assert_eq!(again.set(name, value), Ok(()), "{}", setting);
         }
-        found.reset_all();
-        prop_assert_eq!(found.settings(), Vec::<String>::new());
-        prop_assert_eq!(seen(&found), seen(&setup(index)), "reset");
-        prop_assert_eq!(found.list(), setup(index).list(), "reset");
+        prop_assert_eq!(again.list(), found.list(), "{:?}", settings);
+        prop_assert_eq!(seen(&again), seen(found), "{:?}", settings);
+        settings.reverse();
     }
-
-    #[test]
-    fn another_step_takes_what_it_has(
-        [from, to] in [0..STEPS.len(), 0..STEPS.len()], acts in vec(act(), 0..12),
-    ) {
-        let mut first = setup(from);
-        acts.iter().for_each(|act| act_on(&mut first, act));
-        let there = first.carried_to(make(to));
-        let settings = there.settings();
-        prop_assert_eq!(seen(&set_to(to, &settings)), seen(&there), "{:?}", settings);
-        let known = there.list();
-        for Setting { control, .. } in first.list().into_iter().filter(|setting| setting.changed) {
-            let is_it = |other: &&Setting| {
-                let other = &other.control;
-                (&other.name, other.of, &other.kind) == (&control.name, control.of, &control.kind)
-            };
-            if let Some(same) = known.iter().find(is_it) {
-                prop_assert_eq!(same.control.value, control.value, "{} is kept", control.name);
-            }
-        }
-        let back = there.carried_to(make(from));
-        prop_assert_eq!(seen(&back), seen(&first), "there and back nothing is lost");
-        prop_assert_eq!(back.settings(), first.settings());
+    let there = found.carried_to(make(other));
+    let known = there.list();
+    for Setting { control, .. } in found.list().into_iter().filter(|setting| setting.changed) {
+        let is_it = |other: &&Setting| {
+            let other = &other.control;
+            (&other.name, other.of, &other.kind) == (&control.name, control.of, &control.kind)
+        };
+        let same = known.iter().find(is_it).is_none_or(|same| same.control.value == control.value);
+        prop_assert!(same, "{} is kept in step {}", control.name, other + 1);
     }
+    let mut back = there.carried_to(make(index));
+    prop_assert_eq!((back.settings(), seen(&back)), (found.settings(), seen(found)));
+    back.reset_all();
+    prop_assert_eq!(back.list(), setup(index).list(), "reset");
+    Ok(())
 }
 
 #[test]

@@ -3,13 +3,7 @@
 use tests::prelude::*;
 
 checks!(lights {
-    a_face_turned_by_60_degrees_takes_half_the_light,
-    twice_the_distance_takes_a_quarter,
-    light_is_reflected_alike_in_all_directions,
-    the_side_that_is_seen_is_the_one_lit,
-    a_sphere_is_lit_by_its_normal,
-    a_longer_direction_sees_the_same_colour,
-    a_light_close_to_the_surface_shines_by_the_same_law,
+    diffuse_light_follows_its_law,
     a_light_in_the_plane_of_a_surface_leaves_it_dark,
     what_has_no_brightness_is_black,
 });
@@ -19,7 +13,6 @@ checks!(shadows {
     any_object_in_range_blocks,
     nothing_shadows_itself,
     lights_add_up,
-    only_ambient_light_is_left_in_the_dark,
 });
 
 pub(crate) const PAINT: Paint = Paint {
@@ -52,33 +45,30 @@ pub(crate) fn seen<S: Scenes>(world: &World, eye: Vec3) -> Color {
     S::trace(&S::scene(world), &Ray::new(eye, -eye.normalize()))
 }
 
-fn a_face_turned_by_60_degrees_takes_half_the_light<S: Scenes>() {
-    let full = seen::<S>(&lit(0.0, &[ABOVE]), EYE);
-    let why =
-        "L_d = k_d (I/r²) max(0, n·l) with I = 8, r² = 4 and n·l = 1: n and l have unit length";
-    near::<S, _>("the colour", full, PAINT.k_d * 2.0, why);
-    let turned = seen::<S>(&lit(60.0, &[ABOVE]), EYE);
-    let why = "a cube's face turned by 60° intercepts half the light, n·l = cos 60° = ½";
-    near::<S, _>("the colour", turned, PAINT.k_d, why);
-}
-
-fn twice_the_distance_takes_a_quarter<S: Scenes>() {
+fn diffuse_light_follows_its_law<S: Scenes>() {
+    let law = "L_d = k_d (I/r²) max(0, n·l), n and l of unit length";
+    let mut cases = vec![
+        (lit(0.0, &[ABOVE]), EYE, 2.0, "n·l = 1".to_owned()),
+        (
+            lit(60.0, &[ABOVE]),
+            EYE,
+            1.0,
+            "a face turned by 60° intercepts half the light".to_owned(),
+        ),
+    ];
     for (r, share) in [(1.0, 8.0), (2.0, 2.0), (8.0, 0.125)] {
-        let found = seen::<S>(&lit(0.0, &[light(r * Vec3::Y, 8.0)]), EYE);
-        let why = "I/r² with I = 8: r², not r";
-        near::<S, _>(&format!("the colour at r = {r}"), found, PAINT.k_d * share, why);
+        let why = format!("I = 8, and r² is {r} squared: twice the distance takes a quarter");
+        cases.push((lit(0.0, &[light(r * Vec3::Y, 8.0)]), EYE, share, why));
     }
-}
-
-fn light_is_reflected_alike_in_all_directions<S: Scenes>() {
     for eye in [[0.5, 9.0, 0.0], [5.0, 0.25, 0.0], [-3.0, 1.0, -3.0], [0.0, 1.0, 7.0]] {
-        let found = seen::<S>(&lit(0.0, &[ABOVE]), Vec3::from(eye));
-        let why = format!("diffuse light does not depend on the view direction, here from {eye:?}");
-        near::<S, _>("the colour", found, PAINT.k_d * 2.0, &why);
+        let why = "it does not depend on the view direction".to_owned();
+        cases.push((lit(0.0, &[ABOVE]), Vec3::from(eye), 2.0, why));
     }
-}
-
-fn the_side_that_is_seen_is_the_one_lit<S: Scenes>() {
+    for r in [1e-1, 1e-3, 1e-6, 1e-9] {
+        // Straight down, so that the point looked at is the world's origin to the last bit.
+        let why = format!("I/r² is 8, and l a unit vector however near: r = {r}");
+        cases.push((lit(0.0, &[light(r * Vec3::Y, 8.0 * r * r)]), Vec3::Y, 8.0, why));
+    }
     let below = light(-ABOVE.position, ABOVE.intensity);
     let [a, b, c] = patch(0.0);
     for abc in [[a, b, c], [a, c, b]] {
@@ -86,53 +76,36 @@ fn the_side_that_is_seen_is_the_one_lit<S: Scenes>() {
             [(EYE, ABOVE, 2.0), (-EYE, below, 2.0), (EYE, below, 0.0), (-EYE, ABOVE, 0.0)]
         {
             let world = World { triangles: vec![(abc, PAINT)], ..lit(0.0, &[light]) };
-            let why = "a triangle has two sides: n is turned towards the viewer before shading";
-            near::<S, _>("the colour", seen::<S>(&world, eye), PAINT.k_d * share, why);
+            cases.push((world, eye, share, "n is turned towards the viewer first".to_owned()));
         }
     }
-}
-
-fn a_sphere_is_lit_by_its_normal<S: Scenes>() {
+    for (world, eye, share, why) in cases {
+        near::<S, _>(
+            "the colour",
+            seen::<S>(&world, eye),
+            share * PAINT.k_d,
+            &format!("{law}; {why}"),
+        );
+    }
     // The point (3, 4, 0) of a sphere of radius 5, its normal (0.6, 0.8, 0), seen from far outside.
     let (point, normal) = (Vec3::new(3.0, 4.0, 0.0), Vec3::new(0.6, 0.8, 0.0));
-    let spheres = vec![(Ball { center: Vec3::ZERO, radius: 5.0 }, PAINT)];
-    for (towards, cosine) in [
-        (normal, 1.0),
-        (Vec3::Y, 0.8),
-        (Vec3::X, 0.6),
-        (Vec3::new(-0.8, 0.6, 0.0), 0.0),
-        (-normal, -1.0),
-    ] {
+    let across = Vec3::new(-0.8, 0.6, 0.0);
+    for towards in [normal, Vec3::Y, Vec3::X, across, -normal] {
+        let spheres = vec![(Ball { center: Vec3::ZERO, radius: 5.0 }, PAINT)];
         let lights = vec![light(point + 2.0 * towards, 8.0)];
-        let spheres = spheres.clone();
         let world = World { spheres, lights, epsilon: UNSHADOWED, ..World::default() };
         let ray = Ray::new(Vec3::new(3.0, 9.0, 0.0), Vec3::NEG_Y);
-        let found = S::trace(&S::scene(&world), &ray);
-        let why = format!(
-            "L_d = k_d (I/r²) max(0, n·l): I = 8, r² = 4, n·l = {cosine}, n = (point − center) / radius"
-        );
-        near::<S, _>("the colour", found, PAINT.k_d * 2.0 * f32::max(cosine, 0.0), &why);
+        let expected = 2.0 * f32::max(normal.dot(towards), 0.0) * PAINT.k_d;
+        let why = format!("{law}; n = (point − center) / radius");
+        near::<S, _>("the colour", S::trace(&S::scene(&world), &ray), expected, &why);
     }
-}
-
-fn a_longer_direction_sees_the_same_colour<S: Scenes>() {
+    // With highlights too, where the step has them.
     let paint = Paint { k_s: 0.5, p: 8.0, ..PAINT };
     let world = World { triangles: vec![(patch(20.0), paint)], ..lit(20.0, &[ABOVE]) };
-    let scene = S::scene(&world);
-    let expected = seen::<S>(&world, EYE);
+    let (scene, expected) = (S::scene(&world), seen::<S>(&world, EYE));
     for alpha in [0.001, 0.3, 4.0, 1000.0] {
         let found = S::trace(&scene, &Ray::new(EYE, -alpha * EYE.normalize()));
-        let why = format!("α d is the same ray as d, here with α = {alpha}: v has unit length");
-        near::<S, _>("the colour", found, expected, &why);
-    }
-}
-
-fn a_light_close_to_the_surface_shines_by_the_same_law<S: Scenes>() {
-    for r in [1e-1, 1e-3, 1e-6, 1e-9] {
-        let world = lit(0.0, &[light(r * Vec3::Y, 8.0 * r * r)]);
-        let why = format!("I/r² is 8, and l a unit vector however near: r = {r}");
-        // Straight down, so that the point looked at is the world's origin to the last bit.
-        near::<S, _>("the colour", seen::<S>(&world, Vec3::Y), PAINT.k_d * 8.0, &why);
+        near::<S, _>("the colour", found, expected, "α d is the same ray as d: v has unit length");
     }
 }
 
@@ -157,8 +130,7 @@ fn a_light_in_the_plane_of_a_surface_leaves_it_dark<S: Scenes>() {
         let mut at = Vec3::new(4.0, 6.0, 5.0);
         at[axis] = center[axis];
         for epsilon in [0.0, 1e-3, UNSHADOWED] {
-            let triangles = square(center, axis);
-            let lights = vec![light(at, 42.0)];
+            let (triangles, lights) = (square(center, axis), vec![light(at, 42.0)]);
             let scene = S::scene(&World { triangles, lights, epsilon, ..World::default() });
             let mut eye = center + Vec3::splat(0.1);
             eye[axis] = center[axis] + 2.4;
@@ -168,15 +140,11 @@ fn a_light_in_the_plane_of_a_surface_leaves_it_dark<S: Scenes>() {
                 aim[(axis + 1) % 3] += ((i - 30.0) / 30.0).powi(3) * 8.0;
                 aim[(axis + 2) % 3] += ((j - 30.0) / 30.0).powi(3) * 8.0;
                 let found = S::trace(&scene, &Ray::new(eye, (aim - eye).normalize()));
-                let step = S::NAME;
                 // In the light itself there is no direction to it.
                 let dark =
                     found == Color::ZERO || encode(found) == [0; 3] && i == 30.0 && j == 30.0;
-                assert!(
-                    dark,
-                    "{step}: the colour at {aim} is {found}, and should be 0: n·l = 0 for a light \
-                     at {at}, in the plane of what is seen"
-                );
+                let why = "n·l = 0 for a light in the plane of what is seen";
+                assert!(dark, "{}: {found} at {aim}, light at {at}: {why}", S::NAME);
             }
         }
     }
@@ -184,50 +152,25 @@ fn a_light_in_the_plane_of_a_surface_leaves_it_dark<S: Scenes>() {
 
 /// What leaves for the screen where no number says how bright it is.
 fn what_has_no_brightness_is_black<S: Scenes>() {
-    let ambient = World { ambient: 1.0, ..World::default() };
-    let patch = vec![(patch(0.0), Paint { k_s: 0.5, ..PAINT })];
-    let down = Ray::new(Vec3::Y, Vec3::NEG_Y);
-    let point = |center| vec![(Ball { center, radius: 0.0 }, PAINT)];
+    let shiny = Paint { k_s: 0.5, ..PAINT };
+    let (down, nowhere) = (Ray::new(Vec3::Y, Vec3::NEG_Y), Ray::new(Vec3::ZERO, Vec3::ZERO));
+    let point = [Ball { center: Vec3::ZERO, radius: 0.0 }].map(|ball| (ball, PAINT));
+    let (flat, dot, line) = (patch(0.0), [Vec3::ZERO; 3], [Vec3::NEG_X, Vec3::ZERO, Vec3::X]);
+    let inside = Light { position: Vec3::ZERO, ..ABOVE };
     for epsilon in [0.0, 1e-3, UNSHADOWED] {
-        let lit = |light| World { lights: vec![light], epsilon, ..ambient.clone() };
-        for (world, ray, why) in [
-            (
-                World { triangles: patch.clone(), ..lit(light(Vec3::ZERO, 8.0)) },
-                down,
-                "the light is at the point that is seen: r = 0, and l is no direction",
-            ),
-            (
-                World { spheres: point(Vec3::ZERO), ambient: 0.0, ..lit(ABOVE) },
-                down,
-                "a sphere of radius 0 is met by its ray, and no n·l > 0 without a normal",
-            ),
-            (
-                World { triangles: vec![([Vec3::ZERO; 3], PAINT)], ..lit(ABOVE) },
-                down,
-                "a triangle that is a point is not hit, and the background is black",
-            ),
-            (
-                World {
-                    triangles: vec![([Vec3::NEG_X, Vec3::ZERO, Vec3::X], PAINT)],
-                    ..lit(ABOVE)
-                },
-                down,
-                "a triangle that is a line is not hit, and the background is black",
-            ),
-            (
-                World { triangles: patch.clone(), ..lit(ABOVE) },
-                Ray::new(Vec3::ZERO, Vec3::ZERO),
-                "a ray without a direction hits no triangle, not even from its plane",
-            ),
-            (
-                World { spheres: point(Vec3::ZERO), ..lit(ABOVE) },
-                Ray::new(Vec3::ZERO, Vec3::ZERO),
-                "a ray without a direction hits no sphere, not even the point that it is",
-            ),
+        for (spheres, triangle, light, ambient, ray, why) in [
+            (&[][..], Some(flat), inside, 1.0, down, "r = 0, and l is no direction"),
+            (&point, None, ABOVE, 0.0, down, "no n·l > 0 without a normal"),
+            (&[], Some(dot), ABOVE, 1.0, down, "a triangle that is a point is not hit"),
+            (&[], Some(line), ABOVE, 1.0, down, "a triangle that is a line is not hit"),
+            (&[], Some(flat), ABOVE, 1.0, nowhere, "a ray without a direction hits no triangle"),
+            (&point, None, ABOVE, 1.0, nowhere, "a ray without a direction hits no sphere"),
         ] {
+            let triangles = triangle.map(|abc| (abc, shiny)).into_iter().collect();
+            let (spheres, lights) = (spheres.to_vec(), vec![light]);
+            let world = World { spheres, triangles, lights, ambient, epsilon, ..World::default() };
             let found = S::trace(&S::scene(&world), &ray);
-            let screen = encode(found);
-            assert_eq!(screen, [0; 3], "{}: {found} with ε = {epsilon}: {why}", S::NAME);
+            assert_eq!(encode(found), [0; 3], "{}: {found} with ε = {epsilon}: {why}", S::NAME);
         }
     }
 }
@@ -239,8 +182,7 @@ fn a_blocked_light_adds_nothing<S: Shadows>() {
     triangle.triangles.push((patch(0.0).map(|vertex| vertex / 16.0 + Vec3::Y), PAINT));
     let fill = light(Vec3::new(2.0, 2.0, 0.0), 8.0);
     let alone = seen::<S>(&lit(0.0, &[fill]), EYE);
-    let blocked = "the shadow ray's d leads from the point to the light, not normalised, and \
-                   something is at ε < t < 1: only k_a I_a is left";
+    let blocked = "something is at ε < t < 1 of the shadow ray: only k_a I_a is left";
     let other = "one light is blocked, the other one still adds its part";
     let off = "no t lies in 1 < t < 1: the light adds its part whatever stands between";
     for world in [World { spheres: vec![(ball, PAINT)], ..base }, triangle] {
@@ -279,21 +221,20 @@ fn any_object_in_range_blocks<S: Shadows>() {
 }
 
 fn nothing_shadows_itself<S: Shadows>() {
-    let world = World {
+    let lights = vec![light(Vec3::new(4.0, 6.0, 5.0), 42.0)];
+    let ball = World {
         spheres: vec![(Ball { center: Vec3::new(-0.3, 1.0, 0.0), radius: 1.0 }, PAINT)],
-        lights: vec![light(Vec3::new(4.0, 6.0, 5.0), 42.0)],
+        lights,
         ..World::default()
     };
     let floor = [[-20.0, -20.0], [20.0, -20.0], [0.0, 20.0]].map(|[x, z]| Vec3::new(x, 0.0, z));
-    let floor = World { spheres: Vec::new(), triangles: vec![(floor, PAINT)], ..world.clone() };
-    for world in [world, floor] {
+    let floor = World { spheres: Vec::new(), triangles: vec![(floor, PAINT)], ..ball.clone() };
+    for world in [ball, floor] {
         let unshadowed = S::scene(&World { epsilon: UNSHADOWED, ..world.clone() });
-        let scene = S::scene(&world);
-        let eye = Vec3::new(0.0, 2.4, 7.0);
+        let (scene, eye) = (S::scene(&world), Vec3::new(0.0, 2.4, 7.0));
         for (i, j) in (0..80).flat_map(|i| (0..80).map(move |j| (i as f32, j as f32))) {
             let ray = Ray::new(eye, Vec3::new(i / 40.0 - 1.0, j / 40.0 - 1.3, -3.0));
-            let why = "a single convex object has no shadow on its lit side; shadow acne means \
-                       that shadow rays hit the surface they start from, which ε prevents";
+            let why = "shadow acne: shadow rays hit what they start from, which ε prevents";
             near::<S, _>("the colour", S::trace(&scene, &ray), S::trace(&unshadowed, &ray), why);
         }
     }
@@ -303,29 +244,22 @@ fn lights_add_up<S: Shadows>() {
     let fill = light(Vec3::new(-2.0, 1.0, 0.5), 3.0);
     let third = light(Vec3::new(1.0, 2.0, -1.0), 5.0);
     let paint = Paint { k_s: 0.5, p: 8.0, ..PAINT };
-    let world = |ambient, lights: &[Light]| World {
-        triangles: vec![(patch(10.0), paint)],
-        ambient,
-        ..lit(10.0, lights)
+    let world = |ambient, lights: &[Light]| {
+        let triangles = vec![(patch(10.0), paint)];
+        seen::<S>(&World { triangles, ambient, ..lit(10.0, lights) }, EYE)
     };
-    let ambient = seen::<S>(&world(0.5, &[]), EYE);
-    let [one, two, three] = [ABOVE, fill, third].map(|light| seen::<S>(&world(0.0, &[light]), EYE));
+    let [one, two, three] = [ABOVE, fill, third].map(|light| world(0.0, &[light]));
     let dark = one.min(two).min(three).cmple(Color::ZERO).any();
     assert!(!dark, "{}: each of three lights alone should add something", S::NAME);
-    let why = "L = L_a + the sum of L_d + L_s over all lights";
-    for (lights, sum) in [
-        (vec![ABOVE, fill], one + two),
-        (vec![third, ABOVE], three + one),
-        (vec![ABOVE, fill, third], one + two + three),
+    for (ambient, lights, sum) in [
+        (0.0, vec![], Color::ZERO),
+        (4.0, vec![], Color::ZERO),
+        (0.5, vec![ABOVE, fill], one + two),
+        (0.5, vec![third, ABOVE], three + one),
+        (0.5, vec![ABOVE, fill, third], one + two + three),
     ] {
-        near::<S, _>("the colour", seen::<S>(&world(0.5, &lights), EYE), ambient + sum, why);
-    }
-}
-
-fn only_ambient_light_is_left_in_the_dark<S: Shadows>() {
-    for ambient in [0.0, 0.5, 1.0, 4.0] {
-        let found = seen::<S>(&World { ambient, ..lit(0.0, &[]) }, EYE);
-        near::<S, _>("the colour", found, PAINT.k_a * ambient, "with no light L = k_a I_a");
+        let why = "L = k_a I_a + the sum of L_d + L_s over all lights";
+        near::<S, _>("the colour", world(ambient, &lights), PAINT.k_a * ambient + sum, why);
     }
 }
 

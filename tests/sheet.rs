@@ -1,24 +1,16 @@
 //! What stands after the = of each line, computed from the lines above it.
 
 use std::collections::HashMap;
-use std::marker::PhantomData;
 use std::mem;
 
-use common::Line;
-use common::Outcome;
-use common::Part;
-use common::Scope;
-use common::Value;
 use fastrand::Rng;
+use lecture::step07_specular::lecture_scene::lecture_scene;
 use tests::prelude::*;
 
 use crate::equation::Number;
 use crate::equation::Quantity;
 use crate::equation::evaluate;
 use crate::equation::tight;
-
-/// By which part of the largest number the digits shown may be off: half of the last of five.
-const LAST_DIGIT: f64 = 5.1e-5;
 
 /// What is too small for f32.
 const SMALLEST: f64 = 1e-30;
@@ -56,45 +48,23 @@ impl Moved {
     }
 }
 
-/// The value's numbers: as they are, or the digits `shown` and how far these are off.
-fn quantity(value: impl Into<Value>, shown: bool) -> Option<Quantity> {
-    let value = value.into();
-    let numbers = match value {
-        Value::Word(_) => return None,
-        Value::Number(number) => [number; 3],
-        Value::Vector(v) => v.to_array(),
-    };
-    let texts = if shown { texts(&value) } else { Vec::new() };
-    let largest = numbers.iter().fold(0.0, |largest: f32, number| largest.max(number.abs()));
-    let part = |axis: usize| {
-        let exact = Number::exact(numbers[axis].into());
-        let Some(text) = texts.get(axis) else { return exact };
-        let digits: f64 = text.trim().parse().expect("a number");
-        let bound = (digits - exact.value).abs();
-        assert!(bound <= LAST_DIGIT * f64::from(largest), "{text} is not {}", exact.value);
-        Number { value: digits, bound }
-    };
-    Some(match value {
-        Value::Vector(_) => Quantity::Vector([0, 1, 2].map(part)),
-        _ => Quantity::Number(part(0)),
-    })
-}
-
-/// The value of a symbol, or of a side of an equation.
-struct Told {
-    name: String,
-    value: Quantity,
-    /// The same, off by what rounding may have done since the values that were told before.
-    rounded: Quantity,
+/// The value's numbers; none of a word.
+fn quantity(value: impl Into<Value>) -> Option<Quantity> {
+    let exact = |number: f32| Number::exact(number.into());
+    match value.into() {
+        Value::Word(_) => None,
+        Value::Number(number) => Some(Quantity::Number(exact(number))),
+        Value::Vector(v) => Some(Quantity::Vector(v.to_array().map(exact))),
+    }
 }
 
 /// What was told before a line.
-pub(crate) struct Sheet<'a, S> {
-    step: PhantomData<S>,
+pub(crate) struct Sheet<'a> {
+    step: &'static str,
     moved: &'a Moved,
     explanation: &'a Explanation,
-    shown: bool,
-    told: Vec<Told>,
+    /// The values of symbols, and of the sides of equations.
+    told: Vec<(String, Quantity)>,
     /// The t, point and normal of the closest hit, and the name of the object.
     closest: Option<([Quantity; 3], &'static str)>,
     /// What the line is about.
@@ -103,26 +73,31 @@ pub(crate) struct Sheet<'a, S> {
     object: &'static str,
 }
 
-impl<'a, S: Package> Sheet<'a, S> {
-    /// Computes all lines of `explanation` anew, from the digits `shown` or from the numbers.
-    pub(crate) fn check(moved: &'a Moved, explanation: &'a Explanation, ray: &Ray, shown: bool) {
+impl<'a> Sheet<'a> {
+    /// Computes all lines of `explanation` anew.
+    pub(crate) fn check(
+        step: &'static str, moved: &'a Moved, explanation: &'a Explanation, ray: &Ray,
+    ) {
         let (told, closest, scope) = (Vec::new(), None, &explanation.told);
-        let mut sheet =
-            Self { step: PhantomData, moved, explanation, shown, told, closest, scope, object: "" };
+        let mut sheet = Self { step, moved, explanation, told, closest, scope, object: "" };
         let Pixel { col, row, width, height } = explanation.pixel;
         for (name, count) in [("col", col), ("row", row), ("width", width), ("height", height)] {
             sheet.tell(name, Quantity::Number(Number::exact(count as f64)));
         }
-        for (symbol, value) in [("p", ray.origin), ("d", ray.direction)] {
-            sheet.tell(symbol, quantity(value, shown).expect("numbers"));
-        }
+        sheet.tell_all(["p", "d"], [ray.origin, ray.direction]);
         for part in explanation.told.scopes() {
             sheet.check_scope(part);
         }
     }
 
     fn tell(&mut self, symbol: &str, value: Quantity) {
-        self.told.push(Told { name: tight(symbol), value, rounded: value });
+        self.told.push((tight(symbol), value));
+    }
+
+    fn tell_all<const N: usize>(&mut self, symbols: [&str; N], values: [Vec3; N]) {
+        for (symbol, value) in symbols.into_iter().zip(values) {
+            self.tell(symbol, quantity(value).expect("numbers"));
+        }
     }
 
     /// Computes all lines of a part of the algorithm, which are known in the parts after it, and of the
@@ -146,10 +121,8 @@ impl<'a, S: Package> Sheet<'a, S> {
                     if scope.name == "intersection" {
                         self.object = inner.name;
                         // The scene begins with three spheres.
-                        let triangle = place.checked_sub(3).and_then(|place| TRIANGLES.get(place));
-                        let vertices = triangle.into_iter().flatten();
-                        for (name, vertex) in ["a", "b", "c"].into_iter().zip(vertices) {
-                            self.tell(name, quantity(Vec3::from(*vertex), false).expect("numbers"));
+                        if let Some(abc) = place.checked_sub(3).and_then(|at| TRIANGLES.get(at)) {
+                            self.tell_all(["a", "b", "c"], abc.map(Vec3::from));
                         }
                         place += 1;
                     }
@@ -163,46 +136,37 @@ impl<'a, S: Package> Sheet<'a, S> {
         (self.scope, self.object) = (around, object);
     }
 
-    /// What the controls called `name` stand at: a number, a word, or the three numbers of a point.
-    fn controls(&self, name: &str) -> Vec<&str> {
-        let Some(values) = self.moved.values.get(name) else { return Vec::new() };
-        // Step 05 does not name its light.
-        let owners = [self.scope.name, self.object, "", "key light"];
-        let owner = owners.into_iter().find(|owner| values.iter().any(|(of, _)| of == owner));
-        let owned = values.iter().filter(|(of, _)| Some(*of) == owner);
-        owned.map(|(_, value)| value.as_str()).collect()
-    }
-
     /// What `symbol` is in the scene: where its control stands, else as in the lecture.
     fn scene(&self, symbol: &str) -> Option<Quantity> {
-        let controls = self.controls(symbol);
-        let numbers: Vec<f32> = controls.iter().flat_map(|text| text.parse()).collect();
+        // Step 05 does not name its light.
+        let owners = [self.scope.name, self.object, "", "key light"];
+        let values = self.moved.values.get(symbol).map_or(&[][..], Vec::as_slice);
+        let owner = owners.into_iter().find(|owner| values.iter().any(|(of, _)| of == owner));
+        let owned = values.iter().filter(|(of, _)| Some(*of) == owner);
+        let numbers: Vec<f32> = owned.flat_map(|(_, text)| text.parse()).collect();
         let control = match numbers[..] {
-            [number] => quantity(number, false),
-            [x, y, z] => quantity(Vec3::new(x, y, z), false),
+            [number] => quantity(number),
+            [x, y, z] => quantity(Vec3::new(x, y, z)),
             _ => None,
         };
-        if !["background", "color", "k_a", "k_d", "k_s", "p"].contains(&symbol) {
-            return control;
-        }
-        let scene = lecture::step07_specular::lecture_scene::lecture_scene();
-        let object = scene.objects.iter().find(|object| object.name == self.object);
+        let scene = lecture_scene();
+        let object = || scene.objects.iter().find(|object| object.name == self.object);
         let color = match symbol {
             "background" => scene.background,
-            "k_a" => object?.material.k_a,
-            "k_s" => return control.or(quantity(object?.material.k_s, false)),
-            "p" => return control.or(quantity(object?.material.p, false)),
-            _ => object?.material.k_d,
+            "k_a" => object()?.material.k_a,
+            "k_d" | "color" => object()?.material.k_d,
+            "k_s" => return control.or(quantity(object()?.material.k_s)),
+            "p" => return control.or(quantity(object()?.material.p)),
+            _ => return control,
         };
         // Its control moves how bright a colour is.
         let brightness = numbers.first().map_or(1.0, |number| number / color.max_element());
-        let brightness = quantity(brightness, false)?;
-        Some(Quantity::of(Number::times, quantity(color, false)?, brightness))
+        Some(Quantity::of(Number::times, quantity(color)?, quantity(brightness)?))
     }
 
     /// How a symbol that is told alone follows from what was told before.
     fn law(&self, symbol: &str) -> Option<&'static str> {
-        let sign = |text| self.evaluate(text, false).map_or(0.0, |sign| sign.parts()[0].value);
+        let sign = |text| self.evaluate(text).map_or(0.0, |sign| sign.parts()[0].value);
         Some(match symbol {
             "t" if sign("t₁") > 0.0 => "t₁",
             "t" => "t₂",
@@ -222,42 +186,41 @@ impl<'a, S: Package> Sheet<'a, S> {
     }
 
     /// What was told of `name` last; if that was of a number and of a vector, as of p, what `fits`.
-    fn known(&self, name: &str, fits: fn(&Told) -> bool) -> Option<&Told> {
-        let mut told = self.told.iter().rev().filter(|told| told.name == name);
+    fn known(&self, name: &str, fits: fn(&Quantity) -> bool) -> Option<Quantity> {
+        let mut told = self.told.iter().rev().filter(|told| told.0 == name).map(|told| told.1);
         let last = told.next()?;
-        Some(if fits(last) { last } else { told.find(|told| fits(told)).unwrap_or(last) })
+        Some(if fits(&last) { last } else { told.find(fits).unwrap_or(last) })
     }
 
-    /// The value of `text`, off by its own rounding, or also by that of what it is computed from.
-    fn evaluate(&self, text: &str, rounded: bool) -> Result<Quantity, String> {
+    fn evaluate(&self, text: &str) -> Result<Quantity, String> {
         let known = |part: &str, fits| {
-            let told = self.known(part, fits);
-            let told = told.map(|told| if rounded { told.rounded } else { told.value });
-            let law = || self.evaluate(self.law(part)?, rounded).ok();
-            told.or_else(law).or_else(|| self.scene(part))
+            let law = || self.evaluate(self.law(part)?).ok();
+            self.known(part, fits).or_else(law).or_else(|| self.scene(part))
         };
-        let vector = |told: &Told| matches!(told.value, Quantity::Vector(_));
+        let vector = |value: &Quantity| matches!(value, Quantity::Vector(_));
         let latest = evaluate(text, &|part| known(part, |_| true));
         latest.or_else(|why| evaluate(text, &|part| known(part, vector)).map_err(|_| why))
     }
 
-    /// The value of a symbol that is told alone: what it is in the scene, or by its law.
-    fn evaluate_symbol(&self, symbol: &str) -> Result<Quantity, String> {
-        let law = || self.law(symbol).map(|law| self.evaluate(law, false));
-        self.scene(symbol).map(Ok).or_else(law).unwrap_or_else(|| self.evaluate(symbol, false))
-    }
-
     fn fail(&self, equation: &str, why: &str) -> ! {
-        let by = if self.shown { "digits" } else { "numbers" };
-        let (step, name) = (S::NAME, self.scope.name);
-        panic!(
-            "{step}: '{equation}' of '{name}': {why}, by the {by} above:\n{}",
-            written(self.explanation)
-        )
+        let (step, name) = (self.step, self.scope.name);
+        panic!("{step}: '{equation}' of '{name}': {why}:\n{}", written(self.explanation))
     }
 
-    /// Holds what was `found` in `line` to what `law` makes it.
-    fn hold(&self, line: &Line, found: Quantity, law: Result<Quantity, String>) -> Quantity {
+    /// Computes what `line` tells from what was told before, and then takes it as told: of a symbol that
+    /// is told alone, what it is in the scene, or by its law.
+    fn check_line(&mut self, line: &Line) {
+        let Some(found) = quantity(line.value) else { return };
+        let sides: Vec<String> = line.equation.split(" = ").map(tight).collect();
+        let law = match &sides[..] {
+            [symbol] => {
+                let law = || self.law(symbol).map(|law| self.evaluate(law));
+                let law = self.scene(symbol).map(Ok).or_else(law);
+                law.unwrap_or_else(|| self.evaluate(symbol))
+            }
+            [.., law] => self.evaluate(law),
+            [] => Err("nothing is told".to_owned()),
+        };
         let law = law.unwrap_or_else(|why| self.fail(line.equation, &why));
         // White light may be told by the number that all its channels are.
         let is_light = line.symbol().starts_with("L_");
@@ -265,39 +228,23 @@ impl<'a, S: Package> Sheet<'a, S> {
             self.fail(line.equation, "one side is a number, the other one a vector");
         }
         for (found, law) in found.parts().into_iter().zip(law.parts()) {
-            let allowed = found.bound + law.bound + SMALLEST;
-            let off = (found.value - law.value).abs();
+            let (off, allowed) = ((found.value - law.value).abs(), law.bound + SMALLEST);
             if off.is_nan() || off > allowed {
                 let why = format!("{} should be {}, within {allowed:.1e}", found.value, law.value);
                 self.fail(line.equation, &why);
             }
         }
-        law
-    }
-
-    /// Computes what `line` tells from what was told before, and then takes it as told.
-    fn check_line(&mut self, line: &Line) {
-        let Some(value) = quantity(line.value, self.shown) else { return };
-        let sides: Vec<String> = line.equation.split(" = ").map(tight).collect();
-        let law = match &sides[..] {
-            [symbol] => self.evaluate_symbol(symbol),
-            [.., law] => self.evaluate(law, false),
-            [] => Err("nothing is told".to_owned()),
-        };
-        let computed = self.hold(line, value, law);
-        let widened = |x: Number, y: Number| Number { bound: x.bound + y.bound, ..x };
-        let rounded = Quantity::of(widened, value, computed);
-        self.told.extend(sides.into_iter().map(|name| Told { name, value, rounded }));
+        self.told.extend(sides.into_iter().map(|side| (side, found)));
     }
 
     /// The sum has each term of the scope around, and is exactly what they come to.
     fn check_sum(&self, sum: &Scope) {
         let told: Vec<(&str, Option<Color>)> =
             sum.lines().map(|line| (line.equation, color(line))).collect();
-        let mut expected: Vec<(&str, Option<Color>)> =
-            terms(self.scope).into_iter().map(|(name, light)| (name, Some(light))).collect();
-        let total = expected.iter().fold(Color::ZERO, |sum, (_, light)| sum + light.unwrap_or(sum));
-        expected.push(("L", Some(total)));
+        let terms = terms(self.scope);
+        let total = terms.iter().fold(Color::ZERO, |sum, (_, light)| sum + *light);
+        let all = terms.into_iter().chain([("L", total)]);
+        let expected: Vec<_> = all.map(|(name, light)| (name, Some(light))).collect();
         if told != expected {
             self.fail("sum", &format!("it should be {expected:?}"));
         }
@@ -305,8 +252,8 @@ impl<'a, S: Package> Sheet<'a, S> {
 
     /// A hit is the closest as yet, and what is missed is missed for the reason given.
     fn check_outcome(&mut self) {
-        let told = |symbol: &str| self.known(&tight(symbol), |_| true).map(|told| told.value);
-        let number = |symbol: &str| told(symbol).map(|value| value.parts()[0].value);
+        let number =
+            |symbol: &str| self.known(&tight(symbol), |_| true).map(|told| told.parts()[0].value);
         let t_max = self.closest.map_or(f64::INFINITY, |(hit, _)| hit[0].parts()[0].value);
         let scope = self.scope;
         let is_so = match scope.outcome {
@@ -316,30 +263,26 @@ impl<'a, S: Package> Sheet<'a, S> {
             }
             Outcome::Missed(_, condition) => {
                 let names = condition.strip_suffix(" < 0").expect("what should not be negative");
-                let mut names = names.split([',', ' ']).filter_map(number);
-                names.any(|number| number < 0.0)
+                names.split([',', ' ']).filter_map(number).any(|number| number < 0.0)
             }
             Outcome::Closest(_) | Outcome::Farther(_) => {
-                let hit = ["t_max", "point", "normal"].map(|symbol| told(symbol).expect("a hit"));
+                let hit = ["t_max", "point", "normal"]
+                    .map(|symbol| self.known(symbol, |_| true).expect("a hit"));
                 self.closest = Some((hit, scope.name));
                 hit[0].parts()[0].value < t_max
             }
             Outcome::Told => true,
         };
-        // Of digits, zero may be shown for what is just below it.
-        let (step, outcome, name) = (S::NAME, scope.outcome, scope.name);
-        let told = written(self.explanation);
-        assert!(is_so || self.shown, "{step}: {outcome:?} of '{name}' is not so:\n{told}");
+        if !is_so {
+            self.fail("outcome", &format!("{:?} is not so", scope.outcome));
+        }
     }
 
     /// A light that is blocked, or behind the surface, adds nothing; nor has a dull surface a highlight.
     fn check_light(&self) {
-        let number = |symbol: &str| {
-            let line = self.scope.lines().find(|line| line.symbol() == symbol)?;
-            f32::try_from(line.value).ok()
-        };
-        let light = |symbol: &str| self.scope.lines().find(|line| line.symbol() == symbol);
-        let (diffuse, specular) = (light("L_d"), light("L_s"));
+        let line = |symbol: &str| self.scope.lines().find(|line| line.symbol() == symbol);
+        let number = |symbol: &str| f32::try_from(line(symbol)?.value).ok();
+        let (diffuse, specular) = (line("L_d"), line("L_s"));
         if number("V") == Some(0.0) && (diffuse.is_some() || specular.is_some()) {
             self.fail("V", "what is blocked adds nothing");
         }
@@ -359,19 +302,20 @@ pub(crate) fn color(line: &Line) -> Option<Color> {
 
 /// The light that `scope` tells of: its own, and that of each light within it.
 pub(crate) fn terms(scope: &Scope) -> Vec<(&'static str, Color)> {
-    let own = |line: &Line| Some((line.symbol(), color(line)?));
     let is_light = |line: &&Line| line.symbol().starts_with("L_");
     let mut terms = Vec::new();
     for part in &scope.parts {
         match part {
-            Part::Line(line) => terms.extend(Some(line).filter(is_light).and_then(own)),
-            Part::Scope(light) if light.name != "sum" => {
+            Part::Line(line) if is_light(&line) => {
+                terms.extend(Some(line.symbol()).zip(color(line)))
+            }
+            Part::Scope(light) if !["sum", "illumination"].contains(&light.name) => {
                 let lines: Vec<Color> = light.lines().filter(is_light).filter_map(color).collect();
-                if let Some((first, others)) = lines.split_first() {
-                    terms.push((light.name, others.iter().fold(*first, |sum, light| sum + *light)));
+                if !lines.is_empty() {
+                    terms.push((light.name, lines.into_iter().sum()));
                 }
             }
-            Part::Scope(_) => {}
+            _ => {}
         }
     }
     terms

@@ -9,13 +9,14 @@ use std::fs;
 use std::fs::File;
 use std::io::BufRead;
 use std::io::BufReader;
-use std::path::Path;
-use std::path::PathBuf;
 use std::process::Child;
 use std::process::Stdio;
 use std::thread;
 use std::time::Duration;
 use std::time::Instant;
+
+use tempfile::TempDir;
+use tempfile::tempdir;
 use tests::prelude::*;
 
 /// Asks again until there is an answer.
@@ -28,11 +29,6 @@ fn until<T>(what: &str, mut ask: impl FnMut() -> Option<T>) -> T {
         assert!(start.elapsed() < Duration::from_secs(60), "in vain: {what}");
         thread::sleep(Duration::from_millis(20));
     }
-}
-
-/// An empty folder for a test.
-fn folder(name: &str) -> PathBuf {
-    empty_folder(&Path::new(env!("CARGO_TARGET_TMPDIR")).join("window"), name)
 }
 
 /// An X server without a screen.
@@ -58,11 +54,9 @@ impl Display {
 
     /// What xdotool answers to a line of commands; none when it fails.
     fn ask(&self, commands: &str) -> Option<String> {
-        let output = start("xdotool")
-            .args(commands.split_whitespace())
-            .env("DISPLAY", &self.name)
-            .output()
-            .expect("xdotool is installed");
+        let mut xdotool = start("xdotool");
+        let output = xdotool.args(words(commands)).env("DISPLAY", &self.name).output();
+        let output = output.expect("xdotool is installed");
         output.status.success().then(|| String::from_utf8(output.stdout).expect("text"))
     }
 
@@ -88,28 +82,27 @@ impl Drop for Display {
 /// A running step.
 struct Running<'a> {
     display: &'a Display,
-    folder: &'a Path,
+    folder: TempDir,
     program: Child,
     window: String,
 }
 
 impl<'a> Running<'a> {
-    fn start(display: &'a Display, folder: &'a Path, index: usize, options: &[&str]) -> Self {
-        Self::start_in("C", display, folder, index, options)
+    fn start(display: &'a Display, index: usize, options: &str) -> Self {
+        Self::start_in("C", display, index, options)
     }
 
     /// A step on a system whose language is `locale`.
-    fn start_in(
-        locale: &str, display: &'a Display, folder: &'a Path, index: usize, options: &[&str],
-    ) -> Self {
-        let name = STEPS[index];
+    fn start_in(locale: &str, display: &'a Display, index: usize, options: &str) -> Self {
+        let (name, folder) = (STEPS[index], tempdir().expect("a folder"));
+        let file = |name| File::create(folder.path().join(name)).expect("a file");
         let program = program(name)
-            .args(options)
-            .current_dir(folder)
+            .args(words(options))
+            .current_dir(folder.path())
             .env("DISPLAY", &display.name)
             .env("LC_ALL", locale)
-            .stdout(File::create(folder.join("output")).expect("a file"))
-            .stderr(File::create(folder.join("errors")).expect("a file"))
+            .stdout(file("output"))
+            .stderr(file("errors"))
             .spawn()
             .expect("the step starts");
         let window = until("a window", || {
@@ -128,20 +121,14 @@ impl<'a> Running<'a> {
         assert!(self.display.ask(&commands).is_some(), "xdotool {commands}");
     }
 
-    /// Waits until the window is called `title`.
-    fn is_called(&self, title: &str) {
-        let commands = format!("getwindowname {}", self.window);
-        until(title, || (self.display.ask(&commands)?.trim_end() == title).then_some(()));
-    }
-
-    fn errors(&self) -> String {
-        fs::read_to_string(self.folder.join("errors")).expect("text")
+    /// What standard output, or standard error, says by now.
+    fn said(&self, file: &str) -> String {
+        fs::read_to_string(self.folder.path().join(file)).expect("text")
     }
 
     /// Waits until standard output says `text`.
     fn prints(&self, text: &str) {
-        let path = self.folder.join("output");
-        until(text, || fs::read_to_string(&path).expect("text").contains(text).then_some(()));
+        until(text, || self.said("output").contains(text).then_some(()));
     }
 
     /// The exit status, once the program has ended.
@@ -160,34 +147,32 @@ impl Drop for Running<'_> {
 #[test]
 #[ignore = "needs Xvfb and xdotool"]
 fn keys_and_the_mouse_arrive() {
-    let folder = folder("arrive");
     let display = Display::start();
-    let options = ["--size", "800x450", "--samples", "2"];
-    let mut running = Running::start(&display, &folder, 6, &options);
+    let mut running = Running::start(&display, 6, "--size 800x450 --samples 2");
     // Held until it is seen: a window of a busy machine looks at the mouse now and then.
     running.act("mousemove --window WINDOW 100 100 mousedown 1");
     running.act("sleep 0.5 mouseup 1");
     running.prints("of 800x450");
-    running.act("key Right key c");
-    running.prints("cargo run -p step07_specular -- --size 800x450 --samples 2 --set sphere=green");
-    running.act("keydown shift key Down key Right keyup shift key c");
     let mut expected = setup(6);
-    expected.set("sphere", "green").expect("a sphere");
-    expected.nudge("k_s", 0.1);
+    let first = "cargo run -p step07_specular -- --size 800x450 --samples 2 --set";
+    running.act("key Right key c");
+    expected.nudge("red.k_s", 1.0);
+    running.prints(&format!("{first} {}", expected.settings().concat()));
+    running.act("keydown shift key Down key Right keyup shift key c");
+    expected.nudge("red.p", 0.1);
     running.prints(&expected.settings().join(" --set "));
     running.act("click 4 key c");
     expected.zoom(0.9);
     running.prints(&expected.settings().join(" --set "));
     // What there is already stays. Without vectors the picture is saved alone.
-    fs::write(folder.join("step07_specular-1.png"), "another").expect("a file");
+    let file = |number| running.folder.path().join(format!("step07_specular-{number}.png"));
+    fs::write(file(1), "another").expect("a file");
     running.act("key v key F2");
-    let name = "step07_specular-2.png";
-    until("a word about it", || running.errors().contains(name).then_some(()));
-    let found = read_picture(&folder.join(name));
-    let size = Size::new(800, 450).expect("a size");
+    until("a word about it", || running.said("errors").contains("-2.png").then_some(()));
+    let size = size(800, 450);
     let camera = expected.view().camera(size.aspect());
     let frame = Frame { step: expected.step(), camera: &*camera, size, samples: 2 };
-    let comparison = Comparison::new(&frame.render(), &found, &[]);
+    let comparison = Comparison::new(&frame.render(), &read_picture(&file(2)), &[]);
     assert!(comparison.is_equal(), "{comparison}");
     // The first unpins.
     running.act("key Escape key Escape");
@@ -197,17 +182,20 @@ fn keys_and_the_mouse_arrive() {
 #[test]
 #[ignore = "needs Xvfb and xdotool"]
 fn the_title_is_in_the_language_of_the_system_and_then_of_the_window() {
-    let folder = folder("title");
     let display = Display::start();
     let english = "step06_shadows: Shadows, several lights and ambient light";
     let portuguese = "step06_shadows: Sombras, várias luzes e luz ambiente";
     for (locale, first, second) in
         [("pt_BR.UTF-8", portuguese, english), ("C", english, portuguese)]
     {
-        let running = Running::start_in(locale, &display, &folder, 5, &[]);
-        running.is_called(first);
+        let running = Running::start_in(locale, &display, 5, "");
+        let is_called = |title: &str| {
+            let commands = format!("getwindowname {}", running.window);
+            until(title, || (display.ask(&commands)?.trim_end() == title).then_some(()));
+        };
+        is_called(first);
         running.act("key g");
-        running.is_called(second);
+        is_called(second);
     }
 }
 
@@ -215,12 +203,11 @@ fn the_title_is_in_the_language_of_the_system_and_then_of_the_window() {
 #[test]
 #[ignore = "needs Xvfb and xdotool"]
 fn shift_may_be_let_go_over_another_window() {
-    let (folder, other) = (folder("shift"), folder("other"));
     let display = Display::start();
-    let running = Running::start(&display, &folder, 1, &[]);
+    let running = Running::start(&display, 1, "");
     running.act("keydown shift key c");
     running.prints("cargo run -p step02_sphere\n");
-    let elsewhere = Running::start(&display, &other, 0, &[]);
+    let elsewhere = Running::start(&display, 0, "");
     elsewhere.act("keyup shift key c");
     elsewhere.prints("cargo run -p step01_rays\n");
     running.act("windowfocus --sync WINDOW key Left key c");
@@ -231,53 +218,71 @@ fn shift_may_be_let_go_over_another_window() {
 
 #[test]
 #[ignore = "needs Xvfb and xdotool"]
-fn left_during_a_long_render() {
-    let folder = folder("long");
+fn a_window_ends_during_a_long_render_and_with_its_display() {
     let display = Display::start();
-    let options = ["--size", "1920x1080", "--samples", "16"];
-    let mut running = Running::start(&display, &folder, 6, &options);
+    let mut running = Running::start(&display, 6, "--size 1920x1080 --samples 16");
     // To be saved when it is complete, which it never is.
     running.act("key F2 key Escape");
-    assert_eq!(running.ends(), Some(0));
-    assert_eq!(running.errors(), "");
-}
-
-#[test]
-#[ignore = "needs Xvfb and xdotool"]
-fn the_display_goes_away() {
-    let folder = folder("gone");
-    let display = Display::start();
-    let mut running = Running::start(&display, &folder, 1, &[]);
+    assert_eq!((running.ends(), running.said("errors").as_str()), (Some(0), ""));
+    let mut running = Running::start(&display, 1, "");
     running.act("key c");
     running.prints("cargo run -p step02_sphere");
     display.kill();
     assert_eq!(running.ends(), Some(1));
-    assert_eq!(running.errors().lines().count(), 1, "{}", running.errors());
+    assert_eq!(running.said("errors").lines().count(), 1, "{}", running.said("errors"));
 }
 
 #[test]
-fn no_window() {
-    for (folder, display, (width, height), reason) in [
-        (folder("none"), None, (64, 36), "no display"),
-        (folder("wrong"), Some(":4711"), (64, 36), "the display :4711 does not answer"),
-        (folder("empty"), Some(""), (64, 36), "no display"),
-        (folder("large"), Some(""), (16385, 2), "one is at most 16384 pixels wide and high"),
+fn without_a_window_the_picture_is_written() {
+    for (display, (width, height), reason) in [
+        (None, (64, 36), "no display"),
+        (Some(":4711"), (64, 36), "the display :4711 does not answer"),
+        (Some(""), (64, 36), "no display"),
+        (Some(""), (16385, 2), "one is at most 16384 pixels wide and high"),
     ] {
-        let mut command = command(STEPS[4], &folder);
+        let folder = tempdir().expect("a folder");
+        let mut command = command(STEPS[4], folder.path());
         command.args(["--size", &format!("{width}x{height}")]);
         match display {
             Some(name) => command.env("DISPLAY", name),
             None => command.env_remove("DISPLAY"),
         };
-        let output = command.output();
-        let output = output.expect("the step starts");
-        assert!(output.status.success());
+        let output = command.output().expect("the step starts");
         let errors = String::from_utf8(output.stderr).expect("text");
         let name = format!("{}.png", STEPS[4]);
-        assert!(errors.contains(reason) && errors.contains(&name), "{errors}");
-        assert_eq!(files(&folder), [&*name], "nothing else is written");
-        let (found, expected) =
-            (read_picture(&folder.join(name)), picture_of(&setup(4), width, height));
-        assert!(Comparison::new(&expected, &found, &[]).is_equal());
+        assert!(output.status.success() && errors.contains(reason), "{errors}");
+        assert_eq!(files(folder.path()), [&*name], "nothing else is written");
+        let found = read_picture(&folder.path().join(name));
+        assert!(Comparison::new(&picture_of(&setup(4), width, height), &found, &[]).is_equal());
     }
+}
+
+/// What is shown while something is dragged: first a draft that is there in time, then all of it.
+#[test]
+fn a_picture_in_the_making_is_first_as_coarse_as_there_is_time_for() {
+    let size = size(96, 64);
+    let desk = desk(6, size);
+    let setup = desk.setup();
+    let camera = || setup.view().camera(size.aspect());
+    let passes = |drawing: &mut Drawing| {
+        let mut passes = Vec::new();
+        while !drawing.is_complete() {
+            if drawing.work(&desk.pictures()[0]) {
+                passes.push((drawing.finished().grid, drawing.finished().samples));
+            }
+        }
+        passes
+    };
+    let mut drawing = Drawing::new(size, 2, camera(), Duration::ZERO);
+    assert!(drawing.is_drafting(), "until the draft is whole the picture before stays");
+    assert_eq!(passes(&mut drawing), [(32, 1), (1, 1), (1, 2)], "as coarse as any, then finer");
+    let frame = Frame { step: setup.step(), camera: &*camera(), size, samples: 2 };
+    assert!(*drawing.picture() == frame.render());
+    drawing.restart(size, camera(), Duration::MAX);
+    assert_eq!(passes(&mut drawing), [(1, 1), (1, 2)], "there is time for a ray a pixel");
+    // It has learned by now how long a ray takes.
+    drawing.restart(size, camera(), Duration::from_secs(60));
+    assert_eq!(passes(&mut drawing), [(1, 1), (1, 2)]);
+    let mut alone = Drawing::new(size, 1, camera(), Duration::MAX);
+    assert_eq!(passes(&mut alone), [(1, 1)]);
 }

@@ -1,7 +1,7 @@
 //! What is typed wrong.
 
 /// Arguments that the last step does not take, and words of the line that says so.
-pub const WRONG: &[(&[&str], &[&str])] = &[
+pub(crate) const WRONG: &[(&[&str], &[&str])] = &[
     (&["--size", "0x0"], &["'0x0'", "at least 1"]),
     (&["--size", "100000x100000"], &["100000 pixels a side", "100 million"]),
     (&["--size", "100001x1"], &["100000 pixels a side"]),
@@ -61,4 +61,23 @@ pub const WRONG: &[(&[&str], &[&str])] = &[
     (&["picture.png"], &["unexpected argument 'picture.png'"]),
     (&["a\nb"], &["unexpected argument", "a", "b"]),
     (&["--set", "i_a=1"], &["did you mean 'I_a'?"]),
+];
+
+/// Arguments that the lecture's program does not take, which has seven steps.
+pub(crate) const WRONG_OF_LECTURE: &[(&str, &[&str])] = &[
+    ("--step 0", &["'0'", "1 to 7"]),
+    ("--step 8", &["1 to 7"]),
+    ("--step six", &["'six'", "1 to 7"]),
+    ("--step", &["--step <N>", "value is required"]),
+    ("--step 6 --divide 1.5", &["'1.5'", "0 to 1"]),
+    ("--step 6 --divide nan", &["'nan'", "0 to 1"]),
+    ("--step 6 --divide 0.5 --difference", &["--divide <PART>", "cannot be used"]),
+    ("--step 6 --difference --check step06_shadows", &["--difference", "cannot be used"]),
+    ("--step 6 --divide 0.5 --compare a.png", &["--divide <PART>", "cannot be used"]),
+    ("--divide 0.5", &["no step before step 1", "--step 2 to 7"]),
+    ("--difference --step 1", &["no step before step 1"]),
+    ("--page a.html --step 2", &["--page <FILE>", "cannot be used"]),
+    ("--step 6 --set k_s=0.5", &["no control 'k_s'", "k_d"]),
+    ("--step 2 --size 9x9 --pixel 9,0", &["no pixel 9,0"]),
+    ("--steps 2", &["--steps"]),
 ];

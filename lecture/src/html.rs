@@ -16,20 +16,19 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
 use flate2::write::GzEncoder;
-use image::imageops::FilterType;
 use jpeg_encoder::ColorType;
 use jpeg_encoder::Encoder;
 use jpeg_encoder::SamplingFactor;
-use lecture::PROGRAMS;
 use show::Language;
 use show::text;
 
+use crate::PROGRAMS;
 use crate::escape::escape;
 use crate::handout;
 use crate::handout::Handout;
 
 /// Pixels of a figure's picture, and what part of it a JPEG keeps: so that the page stays small.
-const STILL_WIDTH: u32 = 300;
+const STILL_WIDTH: u32 = 280;
 const STILL_QUALITY: u8 = 35;
 
 const TARGET: &str = "wasm32-unknown-unknown";
@@ -59,18 +58,20 @@ const SCRIPT: &str = concat!(
     include_str!("../page/main.js"),
 );
 
-/// The whole page.
+/// The folder that holds all crates.
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."))
+}
+
+/// The whole page, with the steps' program in it that [`build`] makes.
 ///
 /// # Errors
 ///
-/// When the steps do not build for a browser, or a handout cannot be read.
-pub(crate) fn page() -> Result<String> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."));
-    let wasm = build(root)?;
-    let wasm =
-        fs::read(&wasm).with_context(|| text!("cannot read {path}", path = wasm.display()))?;
+/// When a handout, a diff or a picture cannot be read.
+pub fn html(program: &[u8]) -> Result<String> {
+    let root = root();
     let mut packed = GzEncoder::new(Vec::new(), Compression::best());
-    packed.write_all(&wasm)?;
+    packed.write_all(program)?;
     let wasm = STANDARD.encode(packed.finish()?);
     let (mut links, mut articles) = (String::new(), String::new());
     let mut style = include_str!("../page/style.css").to_owned();
@@ -102,7 +103,7 @@ pub(crate) fn page() -> Result<String> {
         template,
         &[
             ("style", &style),
-            ("script", SCRIPT),
+            ("script", &without_comments(SCRIPT)),
             ("texts", &texts),
             ("links", &links),
             ("articles", &articles),
@@ -128,6 +129,14 @@ fn texts(sources: &[&str]) -> String {
     format!("{{{}}}", texts.join(","))
 }
 
+/// `script` without the lines that only say something.
+fn without_comments(script: &str) -> String {
+    let is_said =
+        |line: &&str| ["//", "/**", "* "].iter().any(|sign| line.trim().starts_with(sign));
+    let lines = script.lines().filter(|line| !is_said(line) && !matches!(line.trim(), "" | "*/"));
+    lines.map(|line| format!("{line}\n")).collect()
+}
+
 /// The committed pictures in `folder`, small, as the grounds of the places for the figures: where
 /// nothing can be drawn, they remain. Those of one language, NAME.LANGUAGE.png, are not needed.
 fn stills(folder: &Path, style: &mut String) -> Result<()> {
@@ -147,7 +156,7 @@ fn stills(folder: &Path, style: &mut String) -> Result<()> {
         }
         let picture = image::open(&path).with_context(|| path.display().to_string())?;
         let (width, height) = (picture.width(), picture.height());
-        let small = picture.resize(STILL_WIDTH, height, FilterType::Triangle).to_rgb8();
+        let small = picture.thumbnail(STILL_WIDTH, height).to_rgb8();
         let mut bytes = Vec::new();
         let mut encoder = Encoder::new(&mut bytes, STILL_QUALITY);
         encoder.set_optimized_huffman_tables(true);
@@ -206,11 +215,16 @@ fn filled(template: &str, parts: &[(&str, &str)]) -> String {
     page
 }
 
-/// Builds all steps for a browser: the file that they are in.
+/// Builds all steps for a browser, in WebAssembly.
 ///
 /// What `WASM` names, if it is set, is given cargo and its arguments to run: a machine without
 /// rustup has its own way to that target.
-fn build(root: &Path) -> Result<PathBuf> {
+///
+/// # Errors
+///
+/// When they do not build.
+pub fn build() -> Result<Vec<u8>> {
+    let root = root();
     let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut build = match env::var_os("WASM") {
         Some(helper) => {
@@ -236,7 +250,8 @@ fn build(root: &Path) -> Result<PathBuf> {
     if !built.success() {
         bail!(text!("the steps do not build for a browser: what cargo says of it stands above"));
     }
-    Ok(target.join(TARGET).join("page/lecture.wasm"))
+    let wasm = target.join(TARGET).join("page/lecture.wasm");
+    fs::read(&wasm).with_context(|| text!("cannot read {path}", path = wasm.display()))
 }
 
 /// Whether Rust's standard library for a browser is there.

@@ -59,7 +59,11 @@ pub use desk::WhatIf;
 pub use desk::does;
 pub use desk::table as keys;
 #[cfg(not(target_family = "wasm"))]
+pub use desktop::Drawing;
+#[cfg(not(target_family = "wasm"))]
 pub use desktop::Exercises;
+#[cfg(not(target_family = "wasm"))]
+pub use desktop::Finished;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::Suite;
 #[cfg(not(target_family = "wasm"))]

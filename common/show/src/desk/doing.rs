@@ -175,6 +175,15 @@ impl Desk {
     pub(super) fn changed(&mut self) {
         let before = self.current.checked_sub(1).map(|before| &self.programs[before]);
         self.before = before.map(|before| self.setup.carried_to(before.make.clone()));
+        // The onlooker looks at the camera wherever that has gone: so a command says it all.
+        if let Some(onlooker) = &mut self.onlooker {
+            let stood = control::list(|to| onlooker.controls(to));
+            *onlooker = Outside::onlooker(self.setup.view());
+            let value = |other: &Control| {
+                stood.iter().find(|control| control.name == other.name).map(|control| control.value)
+            };
+            control::change(|to| onlooker.controls(to), value);
+        }
         self.look_again();
         self.ask(Effect::Redraw);
     }

@@ -29,7 +29,7 @@ const COARSEST: usize = 32;
 
 /// A picture in the making, a slice of time after the other: first a draft on a grid so coarse
 /// that it is there at once, then with a ray for every pixel, then with all samples.
-pub(crate) struct Drawing {
+pub struct Drawing {
     size: Size,
     samples: usize,
     camera: Box<dyn Camera>,
@@ -44,11 +44,14 @@ pub(crate) struct Drawing {
 }
 
 /// What was done last.
-#[derive(Clone, Copy)]
-pub(crate) struct Finished {
-    pub(crate) grid: usize,
-    pub(crate) samples: usize,
-    pub(crate) time: Duration,
+#[derive(Clone, Copy, Debug)]
+pub struct Finished {
+    /// A square with sides of so many pixels has the same colour.
+    pub grid: usize,
+    /// The square root of the number of rays a pixel.
+    pub samples: usize,
+    /// How long it took.
+    pub time: Duration,
 }
 
 #[derive(Clone, Copy)]
@@ -79,9 +82,7 @@ impl Pass {
 
 impl Drawing {
     /// A black picture, of which the first pass shall take no longer than `draft`.
-    pub(crate) fn new(
-        size: Size, samples: usize, camera: Box<dyn Camera>, draft: Duration,
-    ) -> Self {
+    pub fn new(size: Size, samples: usize, camera: Box<dyn Camera>, draft: Duration) -> Self {
         let mut drawing = Self {
             size,
             samples,
@@ -97,30 +98,32 @@ impl Drawing {
     }
 
     /// As much of the picture as there is.
-    pub(crate) fn picture(&self) -> &RgbImage {
+    pub fn picture(&self) -> &RgbImage {
         &self.picture
     }
 
-    pub(crate) fn into_picture(self) -> RgbImage {
+    /// As much of the picture as there is.
+    pub fn into_picture(self) -> RgbImage {
         self.picture
     }
 
-    pub(crate) fn finished(&self) -> Finished {
+    /// What was done last.
+    pub fn finished(&self) -> Finished {
         self.finished
     }
 
     /// Whether there is nothing left to be done.
-    pub(crate) fn is_complete(&self) -> bool {
+    pub fn is_complete(&self) -> bool {
         self.pass.is_none()
     }
 
     /// Whether the picture is still the one before, soon to be replaced.
-    pub(crate) fn is_drafting(&self) -> bool {
+    pub fn is_drafting(&self) -> bool {
         self.pass.is_some_and(|pass| pass.draft)
     }
 
     /// Starts again, as something was changed; the first pass shall take no longer than `draft`.
-    pub(crate) fn restart(&mut self, size: Size, camera: Box<dyn Camera>, draft: Duration) {
+    pub fn restart(&mut self, size: Size, camera: Box<dyn Camera>, draft: Duration) {
         if let Some(pass) = self.pass {
             self.learn(&pass);
         }
@@ -143,7 +146,7 @@ impl Drawing {
     }
 
     /// Renders for a slice of time, or until a pass is done; whether one was.
-    pub(crate) fn work(&mut self, wanted: &Wanted<'_>) -> bool {
+    pub fn work(&mut self, wanted: &Wanted<'_>) -> bool {
         let start = Instant::now();
         while let Some(mut pass) = self.pass {
             self.batch(wanted.step(), &mut pass);

@@ -17,6 +17,8 @@ mod window;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
+pub use drawing::Drawing;
+pub use drawing::Finished;
 pub use drawing::render_parallel;
 pub use exercises::Exercises;
 pub use exercises::Verdict;
