@@ -89,6 +89,22 @@ fn the_command_says_all_that_makes_the_picture() {
     assert_eq!(desk.act(Act::Command), Ok(effects.to_vec()));
 }
 
+/// Some told lines by what they may be called, and some that no step tells or that are ambiguous.
+const LINES: [&str; 12] = [
+    "n·l",
+    "V",
+    "fill: V",
+    "d",
+    "u",
+    "D",
+    ": normal",
+    "red: D",
+    "blocked by",
+    "L",
+    "L_d = k_d (I/r²) max(0, n·l)",
+    "cos",
+];
+
 /// Anything that can be done, with any step.
 fn act() -> impl Strategy<Value = Act> {
     let names: Vec<String> = setup(6).list().into_iter().map(|setting| setting.name).collect();
@@ -105,6 +121,12 @@ fn act() -> impl Strategy<Value = Act> {
         1 => (0..9_usize).prop_map(Act::Step),
         1 => part().prop_map(Act::DivideAt),
         1 => (1..30_usize, 1..30_usize).prop_map(|(width, height)| Act::Size(size(width, height))),
+        2 => select(&LINES[..]).prop_map(|name| Act::ShowNamed(name.to_owned())),
+        2 => (select(&LINES[..]), select(&["0", "1", "-0.3", "1,0,2", "x", "NaN"][..]))
+            .prop_map(|(name, value)| Act::Answer(format!("{name}={value}"))),
+        1 => select(&["0,1", "-3,0.5", "1,0", "x"][..])
+            .prop_map(|range| Act::Range(range.to_owned())),
+        1 => (-9..9_isize).prop_map(Act::Walk),
         1 => select(&["outside.azimuth", "outside.distance", "outside.fov"][..])
             .prop_map(|name| set(name, "50")),
         1 => select(vec![
@@ -125,6 +147,9 @@ fn act() -> impl Strategy<Value = Act> {
             Act::Hold(false),
             Act::Read(Reading::Keys),
             Act::Read(Reading::Diff),
+            Act::ShowLine,
+            Act::WhatIfLine,
+            Act::Curve,
             Act::Speak(Language::English),
             set("sphere", "blue"),
             set("radius", "0.4"),

@@ -99,6 +99,7 @@ pub use quantity::Looked;
 pub use quantity::Map;
 pub use quantity::Quantity;
 pub use quantity::Scale;
+pub use quantity::Word;
 pub use quantity::named_lines;
 pub use session::Event;
 pub use session::Session;

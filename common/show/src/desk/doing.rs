@@ -58,6 +58,7 @@ impl Desk {
             }
             Act::ResetAll => {
                 self.what_ifs.clear();
+                self.waiting.clear();
                 self.setup.reset_all();
             }
             Act::Orbit(right, up) if right.is_finite() && up.is_finite() => {
@@ -281,6 +282,7 @@ impl Desk {
         };
         self.setup = self.setup.carried_to(self.programs[program].make.clone());
         self.current = program;
+        self.look_from_here();
         self.reading = self.reading();
         self.changed();
         Ok(())
@@ -321,6 +323,7 @@ impl Desk {
         if self.reading() != Reading::Pixel {
             self.reading = Reading::Pixel;
         } else if self.look.quantity.take().is_some() {
+            self.shown = None;
             self.ask(Effect::Redraw);
         } else {
             self.line = None;

@@ -1,5 +1,7 @@
 //! What a desk does with told lines: shows one as a picture, answers some otherwise.
 
+use std::mem;
+
 use super::Act;
 use super::Desk;
 use super::Effect;
@@ -9,17 +11,21 @@ use super::what_if::written;
 use crate::Curve;
 use crate::Legend;
 use crate::Lines;
+use crate::Look;
 use crate::Map;
 use crate::named_lines;
 use crate::text;
 use crate::translated;
 use common::Answer;
+use common::Camera;
 use common::Explanation;
 use common::Kept;
 use common::LineName;
 use common::Part;
 use common::Pixel;
+use common::Probe;
 use common::Scope;
+use common::Step;
 
 /// How many columns and rows of pixels are asked for which lines there are.
 const SURVEY: (usize, usize) = (24, 14);
@@ -30,6 +36,16 @@ const LARGEST: f32 = 1e30;
 /// What is typed between quotes, which not every shell takes away.
 fn unquoted(typed: &str) -> &str {
     typed.strip_prefix('\'').and_then(|rest| rest.strip_suffix('\'')).unwrap_or(typed)
+}
+
+/// Whether `step` tells the line somewhere.
+fn told_at(step: &dyn Step, camera: &dyn Camera, line: &LineName) -> bool {
+    let (width, height) = SURVEY;
+    let probe = Probe::new(Some(line), &[]);
+    (0..width * height).any(|place| {
+        step.probe(camera, Pixel { col: place % width, row: place / width, width, height }, &probe);
+        probe.take().is_some()
+    })
 }
 
 impl Desk {
@@ -123,15 +139,16 @@ impl Desk {
     pub(super) fn show_line(&mut self, line: LineName) {
         let shown = self.shown_line() == Some(&line);
         self.look.quantity = None;
+        self.shown = None;
         if !shown {
-            self.look_at(line, None);
+            self.show(line, None);
         }
     }
 
     pub(super) fn show_named(&mut self, name: &str) -> Result<(), Refusal> {
         self.refuse_figures()?;
         let line = self.line_named(unquoted(name), &self.lines())?;
-        self.look_at(line, None);
+        self.show(line, None);
         Ok(())
     }
 
@@ -152,8 +169,13 @@ impl Desk {
         if ends.is_none() {
             return Err(text!("a range is LOW,HIGH: two numbers, the lower one first").into());
         }
-        self.look_at(line, ends);
+        self.show(line, ends);
         Ok(())
+    }
+
+    fn show(&mut self, line: LineName, range: Option<(f32, f32)>) {
+        self.shown = Some((line.clone(), range));
+        self.look_at(line, range);
     }
 
     fn look_at(&mut self, line: LineName, range: Option<(f32, f32)>) {
@@ -167,6 +189,40 @@ impl Desk {
         self.look.answers = self.what_ifs.iter().map(|what_if| what_if.answer.clone()).collect();
         if let Some(quantity) = &self.look.quantity {
             self.look_at(quantity.line.clone(), quantity.range);
+        }
+        self.look_before = self.look.clone();
+        if let (Some(before), Some(quantity)) = (&self.before, &mut self.look_before.quantity) {
+            let camera = self.setup.view().camera(self.picture.aspect());
+            let told = |line: &LineName| told_at(before.step(), &*camera, line);
+            // Of one light alone a step does not say which it is.
+            if !told(&quantity.line) {
+                quantity.line.of = String::new();
+            }
+        }
+    }
+
+    /// Goes on showing and asking, in another step, what that tells too; the rest waits for one that does.
+    pub(super) fn look_from_here(&mut self) {
+        self.look.quantity = None;
+        let mut asked = mem::take(&mut self.what_ifs);
+        asked.append(&mut self.waiting);
+        if self.shown.is_none() && asked.is_empty() {
+            return;
+        }
+        let lines = self.lines();
+        for mut what_if in asked {
+            match lines.like(&what_if.asked) {
+                Some(line) => {
+                    what_if.answer.line = line;
+                    self.what_ifs.push(what_if);
+                }
+                None => self.waiting.push(what_if),
+            }
+        }
+        if let Some((line, range)) = self.shown.clone()
+            && let Some(line) = lines.like(&line)
+        {
+            self.look_at(line, range);
         }
     }
 
@@ -296,6 +352,19 @@ impl Desk {
         (!settings.is_empty()).then(|| text!("What if {settings}?", settings = settings.join(", ")))
     }
 
+    /// Between which numbers colours tell apart, if that comes of what was shown before: whoever is shown
+    /// this alone has to be told.
+    fn settled(&self) -> Option<(f32, f32)> {
+        let quantity = self.look.quantity.as_ref()?;
+        let mut fresh = Look { quantity: None, ..self.look.clone() };
+        let view = self.seen_from();
+        let camera = view.camera(self.picture.aspect());
+        fresh.show(quantity.line.clone(), None, self.setup.step(), &*camera, view.eye());
+        let scale = quantity.map().scale()?;
+        let same = fresh.quantity.is_some_and(|fresh| fresh.map().scale() == Some(scale));
+        (!same).then_some((scale.low, scale.high))
+    }
+
     /// The flags that show this look, with their values; `short` as a hand would type them.
     pub(super) fn look_flags(&self, short: bool) -> Vec<(&'static str, String)> {
         if self.look.is_plain() {
@@ -317,7 +386,8 @@ impl Desk {
         let mut flags = Vec::new();
         if let Some(quantity) = &self.look.quantity {
             flags.push(("show", name(&quantity.line, false)));
-            flags.extend(quantity.range.map(|(low, high)| ("range", format!("{low},{high}"))));
+            let range = quantity.range.or_else(|| self.settled());
+            flags.extend(range.map(|(low, high)| ("range", format!("{low},{high}"))));
         }
         flags.extend(self.what_ifs.iter().map(|what_if| {
             ("what-if", format!("{}={}", name(&what_if.answer.line, true), what_if.value()))
@@ -330,12 +400,15 @@ impl Desk {
         &self.look.answers
     }
 
+    /// Does this with the line that is chosen, or shown.
     pub(super) fn act_on_line(&mut self, act: fn(LineName) -> Act) -> Result<(), Refusal> {
-        let line = self
-            .line
-            .clone()
-            .or(self.shown_line().cloned())
-            .ok_or(text!("choose a line first: J and K go through them"))?;
-        self.carry_out(act(line))
+        let Some(line) = self.line.clone().or(self.shown_line().cloned()) else {
+            self.say(text!("choose a line first: J and K go through them"));
+            return Ok(());
+        };
+        if let Err(refusal) = self.carry_out(act(line)) {
+            self.say(&refusal.to_string());
+        }
+        Ok(())
     }
 }

@@ -68,8 +68,14 @@ pub struct Desk {
     reading: Reading,
     /// The told line that keys act on.
     line: Option<LineName>,
+    /// The line that was asked to be shown, and between which numbers, also where the step does not tell it.
+    shown: Option<(LineName, Option<(f32, f32)>)>,
     what_ifs: Vec<WhatIf>,
+    /// What is asked of lines that this step does not tell: it waits for one that does.
+    waiting: Vec<WhatIf>,
     look: Look,
+    /// The same for the step before, which may tell the line of something else.
+    look_before: Look,
     /// The shown line is seen as a curve too, if a pixel is pinned.
     curve: bool,
     alone: bool,
@@ -128,8 +134,11 @@ impl Desk {
             holding: false,
             reading: Reading::Pixel,
             line: None,
+            shown: None,
             what_ifs: Vec::new(),
+            waiting: Vec::new(),
             look: Look::default(),
+            look_before: Look::default(),
             curve: false,
             alone: is_figure,
             pinned: None,
@@ -263,20 +272,19 @@ impl Desk {
     /// The pictures that are to be shown: one, or, where two are compared, the step before's and
     /// this one's.
     pub fn pictures(&self) -> Vec<Wanted<'_>> {
-        let this = self.wanted(&self.setup, self.current);
+        let this = self.wanted(&self.setup, self.current, &self.look);
+        let before = |before| self.wanted(before, self.current - 1, &self.look_before);
         match &self.before {
-            Some(before) if self.holding => vec![self.wanted(before, self.current - 1)],
-            Some(before) if self.compare != Compare::Off => {
-                vec![self.wanted(before, self.current - 1), this]
-            }
+            Some(setup) if self.holding => vec![before(setup)],
+            Some(setup) if self.compare != Compare::Off => vec![before(setup), this],
             _ => vec![this],
         }
     }
 
-    fn wanted<'a>(&'a self, setup: &'a Setup, program: usize) -> Wanted<'a> {
+    fn wanted<'a>(&'a self, setup: &'a Setup, program: usize, look: &'a Look) -> Wanted<'a> {
         let view = self.seen_from();
         let camera = view.camera(self.picture.aspect());
-        let looked = Looked { step: setup.step(), look: &self.look, eye: view.eye() };
+        let looked = Looked { step: setup.step(), look, eye: view.eye() };
         Wanted { setup, camera, program, looked }
     }
 

@@ -19,8 +19,10 @@ pub(crate) const WHAT_IF: &str = "what-if ";
 /// A line that is answered otherwise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WhatIf {
-    /// The line and its answer.
+    /// The line, as it is called in the step that is shown, and its answer.
     pub answer: Answer,
+    /// The line as it was called where this was asked.
+    pub(super) asked: LineName,
     /// What was told before it was answered otherwise; its kind and its hue stay.
     told: Told,
     /// The object or the light that it is told about; "" where it is about a part of the algorithm.
@@ -54,7 +56,8 @@ impl WhatIf {
         };
         let is_part = explanation.scope(&line.of).is_some();
         let of = if is_part { String::new() } else { line.of.clone() };
-        Some(Self { answer: Answer { line: line.clone(), value }, told, of })
+        let answer = Answer { line: line.clone(), value };
+        Some(Self { answer, asked: line.clone(), told, of })
     }
 
     /// What it is called among the settings.

@@ -4,7 +4,6 @@ use super::Look;
 use super::Map;
 use super::Quantity;
 use super::Scale;
-use super::map::word_rgb;
 use crate::Anchor;
 use crate::Area;
 use crate::Canvas;
@@ -63,9 +62,9 @@ impl Look {
         let at = |place| Pixel { col: (2 * place + 1) * pixel.width / (2 * places), ..pixel };
         let told = self.told(line, step, camera, (0..places).map(at));
         if let Map::Words(words) = map {
-            let ink = |kept: Kept| match kept {
-                Kept::Word(word) => Some(Ink { rgb: word_rgb(words, word), alpha: 255 }),
-                _ => None,
+            let ink = |kept: Kept| {
+                let word = words.iter().find(|word| kept == Kept::Word(word.name))?;
+                Some(Ink { rgb: word.rgb, alpha: 255 })
             };
             let inks = told.into_iter().map(|kept| kept.and_then(ink)).collect();
             return Some(Curve { pixel, values: Values::Words(inks) });

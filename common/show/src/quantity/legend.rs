@@ -3,7 +3,6 @@
 use super::Map;
 use super::Quantity;
 use super::Scale;
-use super::map::word_rgb;
 use crate::Anchor;
 use crate::Area;
 use crate::Canvas;
@@ -91,9 +90,9 @@ impl Legend<'_> {
                 canvas.text_within(at, Anchor::TopLeft, em, FAINT, words, below.width);
             }
             Map::Words(words) => {
-                let names = words.iter().map(|word| {
-                    let pinned = self.pinned == Some(Kept::Word(word));
-                    (translated(word).to_owned(), word_rgb(words, word), pinned)
+                let names = words.iter().filter(|word| word.told).map(|word| {
+                    let pinned = self.pinned == Some(Kept::Word(word.name));
+                    (translated(word.name).to_owned(), word.rgb, pinned)
                 });
                 draw_names(canvas, below, em, names);
             }

@@ -62,6 +62,15 @@ impl Lines {
         &self.0
     }
 
+    /// The line that is called so, or, where it is told of something else, of anything that it is told of.
+    pub fn like(&self, line: &LineName) -> Option<LineName> {
+        let mut same = self.0.iter().filter(|other| other.equation == line.equation);
+        let any = LineName { of: String::new(), ..line.clone() };
+        let is_it = |other: &LineName| line.of.is_empty() || other.of == line.of;
+        let first = same.next()?;
+        Some(if is_it(first) || same.any(is_it) { line.clone() } else { any })
+    }
+
     /// The line that `name` means: `n·l`, `L_d = k_d (I/r²) max(0, n·l)`, or `key light: n·l`, where the
     /// first word is enough. Of several lights or objects it is the one in `meant`, or whichever was told
     /// last; with nothing before the colon, as in `: n·l`, the latter.

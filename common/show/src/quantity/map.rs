@@ -18,8 +18,19 @@ pub enum Map {
     Directions,
     /// Colours as they are.
     Colors,
-    /// Words, each with a colour of its own.
-    Words(Vec<&'static str>),
+    /// Words.
+    Words(Vec<Word>),
+}
+
+/// A word that a line may have as its value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Word {
+    /// The word.
+    pub name: &'static str,
+    /// Its colour, as a screen shows it.
+    pub rgb: [u8; 3],
+    /// Whether it is told somewhere.
+    pub told: bool,
 }
 
 /// Apart for those who see few colours too (Okabe and Ito's).
@@ -32,6 +43,22 @@ const WORDS: [[u8; 3]; 7] = [
     [204, 121, 167],
     [0, 114, 178],
 ];
+
+impl Word {
+    /// What is told, and the names that may be; each has its colour whatever else is told.
+    fn all(told: &[&'static str], names: &[&'static str]) -> Vec<Self> {
+        let mut all: Vec<&str> =
+            told.iter().copied().filter(|word| !names.contains(word)).collect();
+        all.sort_unstable();
+        all.extend(names);
+        let word = |(place, name): (usize, &&'static str)| Self {
+            name,
+            rgb: WORDS[place % WORDS.len()],
+            told: told.contains(name),
+        };
+        all.iter().enumerate().map(word).collect()
+    }
+}
 
 /// A point as how far it is from the eye; others as they are.
 pub(super) fn measured(kept: Kept, eye: Vec3) -> Kept {
@@ -46,8 +73,12 @@ fn are_truths(numbers: &[f32]) -> bool {
 }
 
 impl Map {
-    /// The colours for what was told, from `eye`; `before` where these do as well.
-    pub(super) fn of(told: impl Iterator<Item = Kept>, eye: Vec3, before: Option<Self>) -> Self {
+    /// The colours for what was told, from `eye`: for numbers in `range`, or as `before` where that does as
+    /// well. `names` are those of the objects, which may be told of.
+    pub(super) fn of(
+        told: impl Iterator<Item = Kept>, eye: Vec3, before: Option<&Self>,
+        range: Option<(f32, f32)>, names: &[&'static str],
+    ) -> Self {
         let (mut numbers, mut words, mut points) = (Vec::new(), Vec::new(), false);
         for kept in told {
             match measured(kept, eye) {
@@ -60,19 +91,19 @@ impl Map {
             }
             points |= matches!(kept, Kept::Point(_));
         }
+        let scale = |before: Option<Scale>| match range {
+            Some((low, high)) => Scale::new(low, high).for_numbers(&numbers),
+            None => Scale::of(&numbers, before),
+        };
         match before {
             // What is told nowhere just now may be again.
-            Some(before) if numbers.is_empty() && words.is_empty() => before,
-            Some(Self::Words(known)) => {
-                words.retain(|word| !known.contains(word));
-                Self::Words(known.into_iter().chain(words).collect())
-            }
-            _ if !words.is_empty() => Self::Words(words),
-            _ if are_truths(&numbers) => Self::Truths,
-            Some(Self::Distances(before)) => Self::Distances(Scale::of(&numbers, Some(before))),
-            _ if points => Self::Distances(Scale::of(&numbers, None)),
-            Some(Self::Numbers(before)) => Self::Numbers(Scale::of(&numbers, Some(before))),
-            _ => Self::Numbers(Scale::of(&numbers, None)),
+            Some(before) if numbers.is_empty() && words.is_empty() => before.clone(),
+            _ if !words.is_empty() => Self::Words(Word::all(&words, names)),
+            _ if range.is_none() && are_truths(&numbers) => Self::Truths,
+            Some(Self::Distances(before)) => Self::Distances(scale(Some(*before))),
+            _ if points => Self::Distances(scale(None)),
+            Some(Self::Numbers(before)) => Self::Numbers(scale(Some(*before))),
+            _ => Self::Numbers(scale(None)),
         }
     }
 
@@ -82,15 +113,6 @@ impl Map {
             Self::Numbers(scale) | Self::Distances(scale) => Some(*scale),
             Self::Truths => Some(Scale::new(0.0, 1.0)),
             Self::Directions | Self::Colors | Self::Words(_) => None,
-        }
-    }
-
-    /// The same with another scale, if it has one.
-    pub(super) fn with_scale(self, scale: Scale) -> Self {
-        match self {
-            Self::Numbers(_) | Self::Truths => Self::Numbers(scale),
-            Self::Distances(_) => Self::Distances(scale),
-            other => other,
         }
     }
 }
@@ -108,14 +130,8 @@ pub(super) fn palette(map: &Map, grey: bool) -> Palette {
     let count = if grey || map.scale().is_none() { 0 } else { SHADES };
     let shades: Vec<[u8; 3]> = (0..count).map(|shade| scale.rgb(number(shade))).collect();
     let words: Vec<(&str, [u8; 3])> = match map {
-        Map::Words(words) => words.iter().map(|word| (*word, word_rgb(words, word))).collect(),
+        Map::Words(words) => words.iter().map(|word| (word.name, word.rgb)).collect(),
         _ => Vec::new(),
     };
     Palette::new((scale.low, scale.high), &shades, &words)
-}
-
-/// The colour of a word, as a screen shows it.
-pub(super) fn word_rgb(words: &[&str], word: &str) -> [u8; 3] {
-    let place = words.iter().position(|other| *other == word);
-    place.map_or([90; 3], |place| WORDS[place % WORDS.len()])
 }

@@ -13,9 +13,11 @@ use common::Answer;
 use common::Camera;
 use common::Color;
 use common::Controls;
+use common::Explanation;
 use common::Image;
 use common::Kept;
 use common::LineName;
+use common::Outcome;
 use common::Pixel;
 use common::Probe;
 use common::Recorder;
@@ -28,6 +30,7 @@ pub use legend::Legend;
 pub use lines::Lines;
 pub use lines::named_lines;
 pub use map::Map;
+pub use map::Word;
 use map::palette;
 pub use scale::Scale;
 
@@ -73,6 +76,18 @@ pub struct Looked<'a> {
 /// How many columns and rows of pixels are asked for what values there are.
 const SURVEY: (usize, usize) = (64, 36);
 
+/// The objects that a ray is asked to hit, each once.
+fn objects(explanation: &Explanation) -> Vec<&'static str> {
+    let scopes = explanation.told.all().into_iter();
+    let names = scopes.filter(|scope| scope.outcome != Outcome::Told).map(|scope| scope.name);
+    names.fold(Vec::new(), |mut names, name| {
+        if !names.contains(&name) {
+            names.push(name);
+        }
+        names
+    })
+}
+
 impl Look {
     /// Whether the step's picture is seen as it is.
     pub fn is_plain(&self) -> bool {
@@ -103,12 +118,10 @@ impl Look {
         let (width, height) = SURVEY;
         let pixel = |place| Pixel { col: place % width, row: place / width, width, height };
         let told = self.told(&line, step, camera, (0..width * height).map(pixel));
-        let told = told.into_iter().flatten();
-        let map = Map::of(told, eye, before.as_ref().map(|before| before.map.clone()));
-        let map = match range {
-            Some((low, high)) => map.with_scale(Scale::new(low, high)),
-            None => map,
-        };
+        let words = told.iter().any(|kept| matches!(kept, Some(Kept::Word(_))));
+        let names = if words { objects(&step.explain(camera, pixel(0))) } else { Vec::new() };
+        let map = before.as_ref().map(|before| &before.map);
+        let map = Map::of(told.into_iter().flatten(), eye, map, range, &names);
         let palette = match before {
             Some(before) if before.map == map => before.palette,
             _ => palette(&map, self.grey),

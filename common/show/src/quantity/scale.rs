@@ -60,11 +60,14 @@ impl Scale {
             Some(before) => wanted.with_room(&before),
             None => wanted,
         };
-        let (below, above) = (
-            numbers.iter().any(|number| *number < low),
-            numbers.iter().any(|number| *number > high),
-        );
-        Self { low, high, below, above }
+        Self::new(low, high).for_numbers(numbers)
+    }
+
+    /// The same, with some of `numbers` beyond it or not.
+    pub(super) fn for_numbers(self, numbers: &[f32]) -> Self {
+        let below = numbers.iter().any(|number| *number < self.low);
+        let above = numbers.iter().any(|number| *number > self.high);
+        Self { below, above, ..self }
     }
 
     fn wanted(numbers: &[f32]) -> Self {
@@ -101,8 +104,10 @@ impl Scale {
         }
         if low < 0.0 && high > 0.0 {
             // As far below 0 as above, unless one of them is hardly there: its colours are told apart too.
+            // But shares and cosines are compared with each other.
             let other = size / FURTHER;
             return match high / -low {
+                _ if size <= 1.0 => Self::new(-rounded_up(size), rounded_up(size)),
                 ratio if ratio < 0.3 => Self::new(-rounded_up(-low), rounded_up(high.max(other))),
                 ratio if ratio > 3.0 => Self::new(-rounded_up(other.max(-low)), rounded_up(high)),
                 _ => Self::new(-rounded_up(size), rounded_up(size)),
