@@ -9,6 +9,7 @@ mod keys;
 mod looking;
 mod program;
 mod what_if;
+mod wording;
 
 use image::RgbImage;
 
