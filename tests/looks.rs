@@ -192,6 +192,15 @@ fn a_saved_line_has_its_legend_and_curve_below() {
 }
 
 #[test]
+fn a_shown_line_has_one_ray_a_pixel() {
+    let mut sampled = desk(6, size()).sampled(3);
+    act(&mut sampled, Act::ShowNamed("V".to_owned()));
+    assert!(sampled.samples() == 1 && !sampled.command().contains("--samples"));
+    act(&mut sampled, Act::Leave);
+    assert!(sampled.samples() == 3 && sampled.command().contains("--samples 3"));
+}
+
+#[test]
 fn three_curves_of_a_vector_are_its_numbers() {
     let mut shown = desk(6, Size::DEFAULT);
     for one in [Act::PinPixel(480, 300), Act::ShowNamed("red: normal".to_owned()), Act::Curve] {

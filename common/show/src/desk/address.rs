@@ -35,7 +35,7 @@ impl Desk {
         if self.picture != *size {
             flags.push(format!("--size {}", self.picture));
         }
-        if self.samples != 1 {
+        if self.samples() != 1 {
             flags.push(format!("--samples {}", self.samples));
         }
         flags.extend(self.setup.settings().iter().map(|setting| format!("--set {setting}")));

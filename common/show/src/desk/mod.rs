@@ -186,9 +186,10 @@ impl Desk {
         self.picture
     }
 
-    /// The square root of the number of rays a pixel.
+    /// The square root of the number of rays a pixel: one ray where a told line is shown, as the mean of
+    /// words, or of two directions, is none of them.
     pub fn samples(&self) -> usize {
-        self.samples
+        if self.look.quantity.is_some() { 1 } else { self.samples }
     }
 
     /// Whether the pinned pixel's rays and vectors are shown.

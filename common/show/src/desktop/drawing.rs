@@ -97,6 +97,11 @@ impl Drawing {
         drawing
     }
 
+    /// The square root of the number of rays a pixel.
+    pub(crate) fn samples(&self) -> usize {
+        self.samples
+    }
+
     /// As much of the picture as there is.
     pub fn picture(&self) -> &RgbImage {
         &self.picture

@@ -44,7 +44,6 @@ pub(super) fn run(window: Window, session: Session) -> Result<()> {
     let size = window.size().context(text!("the window has no size"))?;
     let shell = Shell {
         titled: session.desk().program().title(),
-        samples: session.desk().samples(),
         window,
         session,
         drawings: Vec::new(),
@@ -66,7 +65,6 @@ pub(super) fn run(window: Window, session: Session) -> Result<()> {
 struct Shell {
     window: Window,
     session: Session,
-    samples: usize,
     titled: String,
     /// The pictures that the session wants, in its order, each with its program.
     drawings: Vec<(usize, Drawing)>,
@@ -125,17 +123,21 @@ impl Shell {
             self.titled = title;
         }
         let (wanted, size) = (self.session.desk().pictures(), self.session.shown_size());
+        let samples = self.session.desk().samples();
         let draft = PERIOD.saturating_sub(self.window.cost).max(PERIOD / 4) / wanted.len() as u32;
         let mut drawings = mem::take(&mut self.drawings);
         for Wanted { camera, program, .. } in wanted {
-            let place = drawings.iter().position(|(other, _)| *other == program);
+            let is_it = |(other, drawing): &(usize, Drawing)| {
+                *other == program && drawing.samples() == samples
+            };
+            let place = drawings.iter().position(is_it);
             let drawing = match place {
                 Some(place) => {
                     let mut drawing = drawings.swap_remove(place).1;
                     drawing.restart(size, camera, draft);
                     drawing
                 }
-                None => Drawing::new(size, self.samples, camera, draft),
+                None => Drawing::new(size, samples, camera, draft),
             };
             self.drawings.push((program, drawing));
         }
@@ -278,7 +280,7 @@ impl Shell {
                     let desk = self.session.desk();
                     let size = desk.picture_size();
                     let drawing = |wanted: Wanted<'_>| {
-                        Drawing::new(size, self.samples, wanted.camera, Duration::MAX)
+                        Drawing::new(size, desk.samples(), wanted.camera, Duration::MAX)
                     };
                     self.saving = Some(desk.pictures().into_iter().map(drawing).collect());
                     self.session.handle(Event::Say(
