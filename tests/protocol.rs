@@ -1,170 +1,305 @@
 //! What the page with all steps is answered, as a browser would ask, without one.
 
+use common::Pixel;
+use common::Scope;
 use lecture::PROGRAMS;
 use lecture::Page;
+use serde_json::Value;
+use serde_json::json;
 use show::Frame;
 use show::Size;
+use tests::step;
 
-fn text(page: &mut Page, command: &str) -> String {
-    let answer =
-        page.answer(command.as_bytes()).unwrap_or_else(|error| panic!("{command}: {error}"));
-    String::from_utf8(answer).expect("text")
+/// A page that is asked in JSON.
+struct Asked(Page);
+
+impl Asked {
+    /// A page that shows what `address` says.
+    fn at(address: &str) -> Self {
+        let mut page = Self(Page::default());
+        page.does(json!({"open": address}));
+        page
+    }
+
+    fn answer(&mut self, question: &Value, below: &[u8]) -> Result<Vec<u8>, String> {
+        self.0.answer(&[question.to_string().as_bytes(), b"\n", below].concat())
+    }
+
+    fn bytes(&mut self, question: Value, below: &[u8]) -> Vec<u8> {
+        self.answer(&question, below).unwrap_or_else(|error| panic!("{question}: {error}"))
+    }
+
+    fn ask(&mut self, question: Value) -> Value {
+        serde_json::from_slice(&self.bytes(question, b"")).expect("JSON")
+    }
+
+    fn does(&mut self, what: Value) -> Value {
+        self.ask(json!({"do": what}))
+    }
+
+    fn press(&mut self, key: &str) {
+        self.ask(json!({"key": {"key": key, "down": true}}));
+    }
+
+    fn state(&mut self) -> Value {
+        self.ask(json!({"state": {"spoken": "en"}}))
+    }
+
+    /// All rows of a layer, 64 × 36 pixels large.
+    fn rows(&mut self, layer: Value) -> Vec<u8> {
+        self.bytes(rows(layer, [64, 36], 0, 36), b"")
+    }
+
+    /// These layers as they are shown, three bytes a pixel.
+    fn shown(&mut self, of: Option<&str>, layers: &[Value]) -> Vec<u8> {
+        let rgb: Vec<Vec<u8>> = layers.iter().map(|layer| self.rows(layer.clone())).collect();
+        let show = json!({"of": of, "size": [64, 36], "drawn": [64, 36], "text": 8});
+        let rgba = self.bytes(json!({"show": show}), &rgb.concat());
+        assert!(rgba.iter().skip(3).step_by(4).all(|alpha| *alpha == 255));
+        rgba.chunks_exact(4).flat_map(|pixel| &pixel[..3]).copied().collect()
+    }
+
+    /// What is said of a control.
+    fn setting(&mut self, name: &str, what: &str) -> Value {
+        let state = self.state();
+        let groups = state["groups"].as_array().expect("groups");
+        let mut settings = groups.iter().flat_map(|it| it["settings"].as_array().expect("a list"));
+        let setting = settings.find(|setting| setting["name"] == name);
+        setting.expect("there is the control")[what].clone()
+    }
 }
 
-/// The fields of the line of `state` that is about a control.
-fn setting(page: &mut Page, name: &str) -> Vec<String> {
-    let state = text(page, "state");
-    let line = state.lines().find(|line| line.starts_with(&format!("setting\t{name}\t")));
-    line.expect("there is the control").split('\t').map(str::to_owned).collect()
+fn rows(layer: Value, size: [u64; 2], first: u64, count: u64) -> Value {
+    json!({"rows": {"layer": layer, "size": size, "first": first, "count": count}})
 }
 
 #[test]
 fn rows_are_those_of_the_step() {
-    let mut page = Page::default();
     let size = Size::new(64, 36).expect("a size");
     for (index, program) in PROGRAMS.iter().enumerate() {
-        text(&mut page, &format!("open {}", index + 1));
-        let step = (program.make)();
+        let mut page = Asked::at(&program.name[..6]);
+        let step = step(index);
         let camera = step.view().camera(size.aspect());
         let picture = Frame { step: &*step, camera: &*camera, size, samples: 1 }.render();
-        let top = page.answer(b"rows now 64 36 0 20").expect("rows");
-        let bottom = page.answer(b"rows now 64 36 20 16").expect("rows");
-        assert!([top, bottom].concat() == *picture.as_raw(), "{}", program.name);
+        let parts = [(0, 20), (20, 16)]
+            .map(|(first, count)| page.bytes(rows(json!("now"), [64, 36], first, count), b""));
+        assert!(parts.concat() == *picture.as_raw(), "{}", program.name);
     }
 }
 
 #[test]
 fn the_step_before_has_the_same_changes() {
-    let mut page = Page::default();
-    text(&mut page, "open 6");
-    text(&mut page, "set radius 0.5");
-    text(&mut page, "orbit 20 -3");
-    let rows = "64 36 0 36";
-    let before = page.answer(format!("rows before {rows}").as_bytes()).expect("rows");
-    text(&mut page, "step 5");
-    assert!(page.answer(format!("rows now {rows}").as_bytes()) == Ok(before));
-    assert!(text(&mut page, "state").contains("change\tradius=0.5"));
+    let mut page = Asked::at("#step06&radius=0.5");
+    page.does(json!({"orbit": [20, -3]}));
+    let before = page.rows(json!("before"));
+    page.does(json!({"step": 5}));
+    assert!(page.rows(json!("now")) == before);
+    assert!(page.state()["address"].to_string().contains("&red.radius=0.5&"));
 }
 
 #[test]
 fn a_handle_follows_the_hand() {
-    let mut page = Page::default();
-    text(&mut page, "open 3");
-    let places = (0..96).flat_map(|x| (0..54).map(move |y| (10 * x, 10 * y)));
-    let mut grab = |(x, y)| text(&mut page, &format!("grab 960 540 {x} {y} 8"));
-    let at = places.clone().find(|place| grab(*place) == "0").expect("a corner is seen");
-    let (u, v) = (at.0 as f32 / 960.0 - 0.1, 1.0 - at.1 as f32 / 540.0);
-    text(&mut page, &format!("drag 960 540 0 {u} {v}"));
-    assert_eq!(text(&mut page, &format!("grab 960 540 {} {} 8", at.0 - 96, at.1)), "0");
-    assert_eq!(setting(&mut page, "a.x").last().map(String::as_str), Some("1"));
-    text(&mut page, "reset");
-    assert_eq!(setting(&mut page, "a.x").last().map(String::as_str), Some("0"));
+    let mut page = Asked::at("#step03&handles=on");
+    let grab =
+        |page: &mut Asked, at: [f32; 2]| page.ask(json!({"grab": {"at": at, "reach": 0.01}}));
+    let mut places = (0..96 * 54).map(|at| [(at % 96) as f32 / 96.0, (at / 96) as f32 / 54.0]);
+    let [u, v] = places.find(|at| grab(&mut page, *at) == 0).expect("a corner is seen");
+    page.does(json!({"drag": [0, [u - 0.1, v]]}));
+    assert_eq!(grab(&mut page, [u, v]), Value::Null);
+    assert_eq!(grab(&mut page, [u - 0.1, v]), 0);
+    assert_eq!(page.setting("a.x", "changed"), true);
+    // What is not shown cannot be taken hold of.
+    page.press("h");
+    assert_eq!(grab(&mut page, [u - 0.1, v]), Value::Null);
 }
 
 #[test]
-fn what_is_drawn_over_a_picture_changes_only_it() {
-    let mut page = Page::default();
-    text(&mut page, "open 7");
-    let rgb = page.answer(b"rows now 240 135 0 135").expect("rows");
-    let mut show = |marks: &str| {
-        let command = format!("show now 240 135 240 135 11 {marks}\n");
-        page.answer(&[command.as_bytes(), &rgb].concat()).expect("a picture")
-    };
-    let plain = show("- 1 0");
-    assert!(plain.chunks_exact(4).flat_map(|pixel| &pixel[..3]).eq(&rgb));
-    assert!(plain.iter().skip(3).step_by(4).all(|alpha| *alpha == 255));
-    assert!(show("110,60 0 0") == plain);
-    assert!(show("110,60 1 0") != plain);
-    assert!(show("- 0 1") != plain);
+fn what_lies_over_a_picture_changes_only_it() {
+    let now = json!("now");
+    let plain = Asked::at("#step07").rows(now.clone());
+    for (address, marked) in [
+        ("", false),
+        ("&pixel=30,15&vectors=off", false),
+        ("&pixel=30,15", true),
+        ("&handles=on", true),
+    ] {
+        let mut page = Asked::at(&format!("#step07&size=64x36{address}"));
+        assert_eq!(page.state()["marked"], marked, "{address}");
+        assert_eq!(page.shown(None, &[now.clone()]) != plain, marked, "{address}");
+        assert!(page.rows(now.clone()) == plain, "{address}");
+    }
+    // A coarse picture becomes as large as it is shown.
+    let show = json!({"size": [128, 72], "drawn": [64, 36], "text": 8});
+    let large = Asked::at("#step07").bytes(json!({"show": show}), &plain);
+    assert_eq!(large.len(), 4 * 128 * 72);
+    assert_eq!(large[4 * (128 * 40 + 60)..][..3], plain[3 * (64 * 20 + 30)..][..3]);
+}
+
+#[test]
+fn two_pictures_are_shown_as_they_are_compared() {
+    let layers = [json!("before"), json!("now")];
+    for (address, wanted) in
+        [("", &layers[1..]), ("&divide=0.25", &layers[..]), ("&difference=on", &layers[..])]
+    {
+        let mut page = Asked::at(&format!("#step07{address}"));
+        assert_eq!(page.state()["layers"], json!(wanted), "{address}");
+        let [before, now] = layers.clone().map(|layer| page.rows(layer));
+        let shown = page.shown(None, wanted);
+        for (at, shown) in shown.into_iter().enumerate() {
+            let expected = match address {
+                "&difference=on" => before[at].abs_diff(now[at]).saturating_mul(8),
+                "&divide=0.25" if at / 3 % 64 < 16 => before[at],
+                _ => now[at],
+            };
+            assert_eq!(shown, expected, "{address}: byte {at}");
+        }
+        page.press("a");
+        assert_eq!(page.state()["layers"], json!(["before"]), "{address}, held");
+        assert!(page.shown(None, &layers[..1]) == before, "{address}, held");
+    }
 }
 
 #[test]
 fn from_outside_the_camera_itself_stays() {
-    let mut page = Page::default();
-    text(&mut page, "open 4");
-    let inside = page.answer(b"rows now 64 36 0 36").expect("rows");
-    text(&mut page, "outside on");
-    let outside = page.answer(b"rows now 64 36 0 36").expect("rows");
-    text(&mut page, "orbit 30 0");
-    let turned = page.answer(b"rows now 64 36 0 36").expect("rows");
-    assert!(inside != outside && outside != turned);
-    assert!(text(&mut page, "state").contains("change\toutside.azimuth="));
-    assert_eq!(setting(&mut page, "azimuth").last().map(String::as_str), Some("0"));
-    text(&mut page, "outside off");
-    assert!(page.answer(b"rows now 64 36 0 36") == Ok(inside));
+    let mut page = Asked::at("#step04");
+    let inside = page.rows(json!("now"));
+    page.press("O");
+    let outside = page.rows(json!("now"));
+    page.does(json!({"orbit": [30, 0]}));
+    assert!(inside != outside && outside != page.rows(json!("now")));
+    assert!(page.state()["address"].to_string().contains("&outside=on&outside.azimuth="));
+    assert_eq!(page.setting("azimuth", "changed"), false);
+    page.press("O");
+    assert!(page.rows(json!("now")) == inside);
+}
+
+#[test]
+fn each_symbol_has_the_number_of_what_is_seen() {
+    let explained = Asked::at("#step07&pixel=465,215").ask(json!("explain"));
+    let step = step(6);
+    let pixel = Pixel { col: 465, row: 215, width: 960, height: 540 };
+    let told = step.explain(&*step.view().camera(960.0 / 540.0), pixel);
+    let value = |scope: &Scope, symbol: &str| {
+        let line = scope.lines().find(|line| line.symbol() == symbol)?;
+        let texts = line.value.texts();
+        Some(texts.iter().map(|text| text.trim().to_owned()).collect::<Vec<_>>())
+    };
+    let found = |place: usize, symbol: &str| {
+        let values = explained["symbols"][place]["values"].as_array().expect("symbols");
+        let mut values = values.iter().filter(|pair| pair[0] == symbol).map(|pair| &pair[1]);
+        let found = values.next();
+        assert!(values.next().is_none(), "{symbol} stands twice");
+        found.cloned()
+    };
+    let scope = |name| told.scope(name).expect("it is told");
+    let red = scope("intersection").scopes().next().expect("it is seen");
+    let (ray, lit) = (scope("viewing ray"), scope("illumination"));
+    let sum = lit.scopes().last().expect("it is summed");
+    for (scope, symbol) in
+        [(ray, "u"), (ray, "p"), (red, "t₁"), (red, "D"), (lit, "k_a"), (sum, "L")]
+    {
+        let expected = value(scope, symbol).unwrap_or_else(|| panic!("{symbol} is told"));
+        assert_eq!(found(0, symbol), Some(json!(expected)), "{symbol}");
+    }
+    assert_eq!(found(0, "n·l"), None);
+    for (place, light) in (1..).zip(lit.scopes().take(2)) {
+        assert_eq!(explained["symbols"][place]["of"], light.name);
+        for symbol in ["n·l", "I/r²", "k_s", "V", "p"] {
+            let expected = value(light, symbol).unwrap_or_else(|| panic!("{symbol} is told"));
+            assert_eq!(found(place, symbol), Some(json!(expected)), "{}: {symbol}", light.name);
+        }
+    }
+    // Where there is but one of a kind, there is nothing to be chosen.
+    for address in ["#step05&pixel=465,215", "#step02&pixel=480,270", "#step07&pixel=1,1"] {
+        let symbols = Asked::at(address).ask(json!("explain"))["symbols"].clone();
+        assert_eq!(symbols.as_array().map(Vec::len), Some(1), "{address}");
+    }
 }
 
 #[test]
 fn what_cannot_be_done_is_said_and_changes_nothing() {
-    let beyond = format!("open {}", PROGRAMS.len() + 1);
-    let mut page = Page::default();
-    text(&mut page, "open 7");
-    text(&mut page, "set p 10");
-    let state = text(&mut page, "state");
-    for command in [
-        "",
-        " ",
-        "nothing",
-        "open",
-        "open 0",
-        &beyond,
-        "open -1",
-        "open 99999999999999999999",
-        "step x",
-        "set p",
-        "set p NaN",
-        "set nothing 1",
-        "set outside.nothing 1",
-        "orbit NaN 1",
-        "orbit 1",
-        "zoom inf",
-        "rows",
-        "rows never 9 9 0 1",
-        "rows now 0 9 0 1",
-        "rows now 99999 99999 0 1",
-        "rows now 9 9 9 1",
-        "rows now 9 9 1 18446744073709551615",
-        "explain 9 9 9,0",
-        "explain 9 9 -1,0",
-        "explain 9 9 1e9",
-        "grab 9 9 NaN 1 1",
-        "drag 9 9 99 0 0",
-        "drag 9 9 0 NaN 0",
-        "show now 9 9 9 9 8 - 0 0",
-        "show now 9 9 9 9 NaN - 0 0\n",
-        "show now 9 9 9 9 8 9,9 1 0\nabc",
+    let mut page = Asked::at("#step07&p=10");
+    let state = page.state();
+    let show = |size: [u64; 2], drawn: [u64; 2]| json!({"show": {"size": size, "drawn": drawn, "text": 8}});
+    for question in [
+        json!(""),
+        json!({}),
+        json!("nothing"),
+        json!({"do": "nothing"}),
+        json!({"do": {"step": -1}}),
+        json!({"do": {"set": ["p"]}}),
+        json!({"do": {"set": ["p", "NaN"]}}),
+        json!({"do": {"set": ["nothing", "1"]}}),
+        json!({"do": {"set": ["outside.nothing", "1"]}}),
+        json!({"do": {"orbit": [Value::Null, 1]}}),
+        json!({"do": {"drag": [99, [0, 0]]}}),
+        json!({"doOn": ["none", "unpin"]}),
+        json!({"state": {"of": "none", "spoken": "en"}}),
+        json!({"key": "a"}),
+        json!({"grab": {"at": [0.5], "reach": 1}}),
+        rows(json!("never"), [9, 9], 0, 1),
+        rows(json!({"figure": "none"}), [9, 9], 0, 1),
+        rows(json!("now"), [0, 9], 0, 1),
+        rows(json!("now"), [99999, 99999], 0, 1),
+        rows(json!("now"), [9, 9], 9, 1),
+        rows(json!("now"), [9, 9], 1, u64::MAX),
+        show([9, 9], [9, 9]),
+        show([99999, 99999], [1, 1]),
     ] {
-        let answer = page.answer(command.as_bytes());
-        let error = answer.expect_err(command);
-        assert!(!error.is_empty() && !error.contains('\n'), "{command}: {error}");
+        let error = page.answer(&question, b"").expect_err(&question.to_string());
+        assert!(!error.is_empty() && !error.contains('\n'), "{question}: {error}");
     }
-    assert!(page.answer(b"set p \xff").is_err());
-    assert_eq!(text(&mut page, "state"), state);
-    assert!(page.answer(b"rows before 9 9 0 9").is_ok());
-    text(&mut page, "open 1");
-    assert!(page.answer(b"rows before 9 9 0 9").is_err());
+    assert!(page.answer(&show([9, 9], [9, 9]), b"abc").is_err());
+    assert!(page.0.answer(b"\xff").is_err() && page.0.answer(b"").is_err());
+    assert_eq!(page.state(), state);
+    page.does(json!({"step": 1}));
+    assert!(page.answer(&rows(json!("before"), [9, 9], 0, 9), b"").is_err());
+}
+
+#[test]
+fn no_number_harms_it() {
+    let mut page = Asked::at("#step07&size=64x36&handles=on&pixel=9,9");
+    for large in [1e39, -1e39, 3e38, -3e38, 0.0] {
+        for what in [
+            json!({"fraction": ["red.p", large]}),
+            json!({"nudge": ["red.center.x", large]}),
+            json!({"orbit": [large, large]}),
+            json!({"zoom": large}),
+            json!({"pin": [large, large]}),
+            json!({"movePin": [i32::MAX, i32::MIN]}),
+            json!({"drag": [0, [large, large]]}),
+            json!({"divideAt": large}),
+            json!({"step": u32::MAX}),
+        ] {
+            page.does(what);
+            page.ask(json!({"grab": {"at": [large, large], "reach": large}}));
+            let rgb = ["before", "now"].map(|layer| page.rows(json!(layer))).concat();
+            let show = json!({"size": [64, 36], "drawn": [64, 36], "text": large});
+            page.bytes(json!({"show": show}), &rgb);
+        }
+    }
 }
 
 #[test]
 fn answers_are_in_the_language_that_was_asked_for() {
-    let mut page = Page::default();
-    text(&mut page, "open 6");
+    let mut page = Asked::at("#step06&pixel=240,420");
     let mut told = |locale: &str| {
-        text(&mut page, &format!("language {locale}"));
-        let wrong = page.answer(b"set epsilon x").expect_err("it is no number");
-        [text(&mut page, "explain 960 540 240,420"), text(&mut page, "state"), wrong].concat()
+        page.does(json!({"language": locale}));
+        let wrong = page.answer(&json!({"do": {"set": ["epsilon", "x"]}}), b"");
+        let texts = json!([page.ask(json!("explain")), page.state(), page.ask(json!("keys"))]);
+        format!("{texts} {}", wrong.expect_err("it is no number"))
     };
     let (english, portuguese) = (told("en"), told("pt-BR"));
-    for (own, other, words) in [
-        (&english, &portuguese, ["\tviewing ray\n", "\tno root: ", "\tcamera\t-1.6", "cannot be"]),
-        (
-            &portuguese,
-            &english,
-            ["\traio de visão\n", "\tsem raiz: ", "\tcâmera\t-1.6", "não pode ser"],
-        ),
+    for words in [
+        ["\"shown\":\"viewing ray\"", "\"shown\":\"raio de visão\""],
+        ["\"outcome\":\"no root: ", "\"outcome\":\"sem raiz: "],
+        ["\"shown\":\"key light\"", "\"shown\":\"luz principal\""],
+        ["\"reset all controls\"", "\"devolve a todos os controles o valor inicial\""],
+        ["cannot be", "não pode ser"],
     ] {
-        for word in words {
-            assert!(own.contains(word) && !other.contains(word), "{word}: {own}");
+        for (place, answer) in [&english, &portuguese].into_iter().enumerate() {
+            let says = words.map(|word| answer.contains(word));
+            assert_eq!(says, [place == 0, place == 1], "{words:?}");
         }
     }
     assert_eq!(told("en"), english);
@@ -172,25 +307,37 @@ fn answers_are_in_the_language_that_was_asked_for() {
 
 #[test]
 fn a_figure_is_changed_alone() {
-    let mut page = Page::default();
-    text(&mut page, "open 2");
-    let state = text(&mut page, "state");
-    let figure = text(&mut page, "figure both_roots state");
-    assert!(figure.starts_with("size\t960\t") && figure.contains("setting\tpanel\t"), "{figure}");
-    let before = page.answer(b"rows both_roots 64 36 0 36").expect("rows");
-    text(&mut page, "figure both_roots set radius 0.5");
-    assert!(page.answer(b"rows both_roots 64 36 0 36").expect("rows") != before);
-    assert!(text(&mut page, "figure both_roots state").contains("change\tradius=0.5\n"));
-    assert_eq!(text(&mut page, "state"), state);
-    text(&mut page, "figure both_roots reset");
-    assert_eq!(text(&mut page, "figure both_roots state"), figure);
-    for command in [
-        "figure",
-        "figure none state",
-        "figure both_roots",
-        "figure both_roots open 1",
-        "rows rays 9 9 0 9",
+    let figure = json!({"figure": "both_roots"});
+    let mut page = Asked::at("#step02");
+    let its = |page: &mut Asked| page.ask(json!({"state": {"of": "both_roots", "spoken": "en"}}));
+    let (start, first) = (page.state(), its(&mut page));
+    assert_eq!(first["size"][0], 960);
+    let before = page.rows(figure.clone());
+    // Its letters lie over its rows.
+    assert!(page.shown(Some("both_roots"), &[figure.clone()]) != before);
+    page.ask(json!({"doOn": ["both_roots", {"set": ["radius", "0.5"]}]}));
+    assert!(page.rows(figure) != before);
+    assert!(its(&mut page)["address"].to_string().contains("radius=0.5"));
+    assert_eq!(page.state(), start);
+    page.ask(json!({"doOn": ["both_roots", {"reset": "radius"}]}));
+    assert_eq!(its(&mut page), first);
+}
+
+#[test]
+fn a_control_is_told_as_what_it_is() {
+    let mut page = Asked::at("#step07");
+    for (name, what, expected) in [
+        ("camera", "kind", json!("choice")),
+        ("camera", "options", json!(["perspective", "parallel"])),
+        ("green.k_s", "kind", json!("number")),
+        ("green.k_s", "label", json!("k_s")),
+        ("green.k_s", "takes", json!("0 to 1")),
     ] {
-        assert!(page.answer(command.as_bytes()).is_err(), "{command}");
+        assert_eq!(page.setting(name, what), expected, "{name}: {what}");
     }
+    page.does(json!({"fraction": ["green.k_s", 0.25]}));
+    let told = ["text", "fraction", "changed"].map(|what| page.setting("green.k_s", what));
+    assert_eq!(told, [json!("0.25"), json!(0.25), json!(true)]);
+    let figure = page.ask(json!({"state": {"of": "both_roots", "spoken": "en"}}));
+    assert!(figure["groups"].to_string().contains("\"kind\":\"count\""));
 }

@@ -37,8 +37,27 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// glam computes with it, and every browser has had it since 2023.
 const FLAGS: &str = "-Ctarget-feature=+simd128";
 
-/// The languages of the page, and a step's handout in each.
+/// The languages of the page in the order in which it goes round, and a step's handout in each.
 const LANGUAGES: [(&str, &str); 2] = [("en", "README.md"), ("pt-BR", "README.pt-BR.md")];
+
+/// What the page runs.
+const SCRIPT: &str = concat!(
+    "\"use strict\";\n",
+    include_str!("../page/texts.js"),
+    include_str!("../page/program.js"),
+    include_str!("../page/workers.js"),
+    include_str!("../page/drawing.js"),
+    include_str!("../page/address.js"),
+    include_str!("../page/stage.js"),
+    include_str!("../page/step.js"),
+    include_str!("../page/explanation.js"),
+    include_str!("../page/desk.js"),
+    include_str!("../page/controls.js"),
+    include_str!("../page/figures.js"),
+    include_str!("../page/hands.js"),
+    include_str!("../page/keys.js"),
+    include_str!("../page/main.js"),
+);
 
 /// The whole page.
 ///
@@ -77,14 +96,14 @@ pub(crate) fn page() -> Result<String> {
         }
         stills(&folder.join("figures"), &mut style)?;
     }
-    let (template, script) = (include_str!("../page/index.html"), include_str!("../page/page.js"));
-    let portuguese = portuguese(&[template, script, &articles]);
+    let template = include_str!("../page/index.html");
+    let texts = texts(&[template, SCRIPT, &articles]);
     Ok(filled(
         template,
         &[
             ("style", &style),
-            ("script", script),
-            ("portuguese", &portuguese),
+            ("script", SCRIPT),
+            ("texts", &texts),
             ("links", &links),
             ("articles", &articles),
             ("wasm", &wasm),
@@ -92,17 +111,21 @@ pub(crate) fn page() -> Result<String> {
     ))
 }
 
-/// The page's own texts as they are in the catalogue, for its script: those that `sources` have in
-/// quotes.
-fn portuguese(sources: &[&str]) -> String {
-    let mut pairs = Vec::new();
-    for (english, portuguese) in Language::catalogue() {
+/// Of each language the page's own texts by their English, for its script: those that `sources` have
+/// in quotes.
+fn texts(sources: &[&str]) -> String {
+    let is_said = |(english, _): &(String, String)| {
         let quoted = format!("\"{english}\"");
-        if sources.iter().any(|source| source.contains(&quoted)) {
-            pairs.push(format!("{english:?}:{portuguese:?}"));
-        }
-    }
-    format!("{{{}}}", pairs.join(","))
+        sources.iter().any(|source| source.contains(&quoted))
+    };
+    let texts = LANGUAGES.map(|(tag, _)| {
+        let catalogue = if tag == "en" { Vec::new() } else { Language::catalogue() };
+        let said = catalogue.into_iter().filter(is_said);
+        let pairs: Vec<String> =
+            said.map(|(english, text)| format!("{english:?}:{text:?}")).collect();
+        format!("{tag:?}:{{{}}}", pairs.join(","))
+    });
+    format!("{{{}}}", texts.join(","))
 }
 
 /// The committed pictures in `folder`, small, as the grounds of the places for the figures: where
@@ -206,6 +229,8 @@ fn build(root: &Path) -> Result<PathBuf> {
     let target = env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), PathBuf::from);
     let target = path::absolute(target)?;
     build.args(["--target", TARGET, "--target-dir"]).arg(&target);
+    // A profile with an exception for this package does not take it.
+    build.args(["--", "-Cstrip=symbols"]);
     build.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", FLAGS);
     let built = build.status().context(text!("cannot run cargo, which has to build the page"))?;
     if !built.success() {

@@ -10,6 +10,7 @@ mod figures;
 mod lesson;
 mod page;
 mod protocol;
+mod told;
 
 use std::rc::Rc;
 

@@ -5,34 +5,31 @@ use serde::Serialize;
 use show::Act;
 use show::Handle;
 use show::Key;
-use show::Reading;
 
 /// Something that a browser asks of the steps' program.
 #[derive(Deserialize)]
-#[serde(tag = "ask", rename_all = "camelCase", deny_unknown_fields)]
+#[serde(rename_all = "camelCase")]
 pub(crate) enum Ask {
-    /// Do something, on the desk or on the figure `on`.
-    Do {
-        on: Option<String>,
-        #[serde(rename = "do")]
-        what: What,
-    },
+    /// Do something on the desk.
+    Do(What),
+    /// Do something with a figure.
+    DoOn(String, What),
     /// Do what a key does, when it goes down or up.
     Key { key: String, down: bool },
     /// What is shown now, on the desk or of the figure `of`; of the language the address says nothing
-    /// where it is the one of the locale `spoken`.
+    /// where it is the one `spoken`.
     State { of: Option<String>, spoken: String },
     /// How the pinned pixel comes by its colour.
     Explain,
     /// All keys.
     Keys,
-    /// Which handle is at a place of the picture, no farther than `reach`: shares of its width.
+    /// Which handle is at a place of the picture, no farther than `reach`, a share of its width.
     Grab { at: (f32, f32), reach: f32 },
     /// Rows of a picture, three bytes a pixel.
     Rows { layer: Layer, size: (usize, usize), first: usize, count: usize },
-    /// The picture whose bytes follow the question, `drawn` pixels large, made as large as `size`, with
-    /// what is drawn over it where that is `marked`: four bytes a pixel.
-    Show { layer: Layer, size: (usize, usize), drawn: (usize, usize), marked: bool, text: f32 },
+    /// The pictures whose bytes follow the question, `drawn` pixels large, as one that is as large as
+    /// `size`, with what lies over it in letters `text` high: four bytes a pixel.
+    Show { of: Option<String>, size: (usize, usize), drawn: (usize, usize), text: f32 },
 }
 
 /// Whose picture it is.
@@ -44,7 +41,7 @@ pub(crate) enum Layer {
     Figure(String),
 }
 
-/// What can be done, as a browser says it.
+/// What can be done besides what a key does, as a browser says it.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(crate) enum What {
@@ -52,22 +49,15 @@ pub(crate) enum What {
     Fraction(String, f32),
     Nudge(String, f32),
     Reset(String),
-    ResetAll,
     Orbit(f32, f32),
     Zoom(f32),
     /// The place of the handle in the list, and where it goes.
     Drag(usize, (f32, f32)),
-    Pin((f32, f32)),
+    Pin(f32, f32),
     MovePin(isize, isize),
     Unpin,
-    Outside,
-    Vectors,
-    Handles,
     Step(usize),
-    Hold(bool),
-    Divide,
     DivideAt(f32),
-    Difference,
     Language(String),
     Open(String),
 }
@@ -80,21 +70,14 @@ impl What {
             Self::Fraction(name, fraction) => Act::Fraction(name, fraction),
             Self::Nudge(name, steps) => Act::Nudge(name, steps),
             Self::Reset(name) => Act::Reset(name),
-            Self::ResetAll => Act::ResetAll,
             Self::Orbit(right, up) => Act::Orbit(right, up),
             Self::Zoom(factor) => Act::Zoom(factor),
             Self::Drag(place, to) => Act::Drag(handles.get(place)?.clone(), to),
-            Self::Pin(at) => Act::Pin(at),
+            Self::Pin(right, down) => Act::Pin((right, down)),
             Self::MovePin(right, down) => Act::MovePin(right, down),
             Self::Unpin => Act::Unpin,
-            Self::Outside => Act::Outside,
-            Self::Vectors => Act::Vectors,
-            Self::Handles => Act::Handles,
             Self::Step(number) => Act::Step(number),
-            Self::Hold(holding) => Act::Hold(holding),
-            Self::Divide => Act::Divide,
             Self::DivideAt(part) => Act::DivideAt(part),
-            Self::Difference => Act::Difference,
             Self::Language(locale) => Act::Speak(show::Language::of_locale(&locale)),
             Self::Open(address) => Act::Open(address),
         })
@@ -131,15 +114,16 @@ pub(crate) fn key(name: &str) -> Option<Key> {
 
 /// What came of something that was done.
 #[derive(Default, Serialize)]
-#[serde(rename_all = "camelCase")]
 pub(crate) struct Done {
+    /// It means something here.
+    pub(crate) known: bool,
     /// The pictures are others.
     pub(crate) redraw: bool,
     /// What is beside and over them is another.
     pub(crate) repaint: bool,
     /// The picture is to be saved.
     pub(crate) save: bool,
-    /// The command is to be shown.
+    /// The command is to be handed on.
     pub(crate) command: bool,
     /// What only the browser can do.
     pub(crate) hand: Option<&'static str>,
@@ -149,7 +133,6 @@ pub(crate) struct Done {
 
 /// What is shown now.
 #[derive(Serialize)]
-#[serde(rename_all = "camelCase")]
 pub(crate) struct State {
     pub(crate) step: usize,
     pub(crate) name: &'static str,
@@ -160,21 +143,24 @@ pub(crate) struct State {
     pub(crate) pin: Option<(usize, usize)>,
     /// The pictures that are wanted: `now`, `before` or both.
     pub(crate) layers: Vec<&'static str>,
+    /// Whether something lies over them.
+    pub(crate) marked: bool,
     pub(crate) vectors: bool,
     pub(crate) handles: bool,
     pub(crate) outside: bool,
     pub(crate) holding: bool,
     /// Where the divider is, if there is one.
     pub(crate) divider: Option<f32>,
-    pub(crate) difference: bool,
     pub(crate) reading: &'static str,
+    pub(crate) alone: bool,
     pub(crate) language: &'static str,
 }
 
-/// Controls that stand together.
+/// Controls that stand together: what they are found by, and what that is called.
 #[derive(Serialize)]
 pub(crate) struct Group {
     pub(crate) name: &'static str,
+    pub(crate) shown: &'static str,
     pub(crate) open: bool,
     pub(crate) settings: Vec<Setting>,
 }
@@ -193,35 +179,22 @@ pub(crate) struct Setting {
     pub(crate) changed: bool,
 }
 
-impl From<show::Setting> for Setting {
-    fn from(setting: show::Setting) -> Self {
-        let show::Setting { name, control, changed } = setting;
-        let kind = match control.kind {
-            common::Kind::Switch => "switch",
-            common::Kind::Choice(_) => "choice",
-            common::Kind::Count(_) => "count",
-            _ => "number",
-        };
-        let (text, fraction, takes) = (control.text(), control.fraction(), control.takes());
-        let options = control.options();
-        Self { name, label: control.name, kind, text, fraction, takes, options, changed }
-    }
-}
-
 /// A part of an explanation.
 #[derive(Serialize)]
-#[serde(tag = "kind", rename_all = "camelCase")]
+#[serde(rename_all = "camelCase")]
 pub(crate) enum Part {
-    /// A value: what it is found by, how it is shown, its symbol and that symbol's colour.
-    Line {
-        equation: &'static str,
-        shown: &'static str,
-        symbol: &'static str,
-        ink: Option<String>,
-        values: Vec<String>,
-    },
-    /// What is told of a thing.
+    /// A value: how its equation is shown, its symbol's colour, its numbers.
+    Line { shown: &'static str, ink: Option<String>, values: Vec<String> },
+    /// What is told of a thing: what it is found by, how it is shown, what came of it.
     Scope { name: &'static str, shown: &'static str, open: bool, outcome: String, parts: Vec<Part> },
+}
+
+/// What symbols stand for: whose they are, how that is shown, each symbol's numbers.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(crate) struct Symbols {
+    pub(crate) of: &'static str,
+    pub(crate) shown: &'static str,
+    pub(crate) values: Vec<(&'static str, Vec<String>)>,
 }
 
 /// How a pixel comes by its colour.
@@ -230,14 +203,6 @@ pub(crate) struct Explained {
     pub(crate) parts: Vec<Part>,
     /// As a screen shows it, 0 to 255.
     pub(crate) seen: [u8; 3],
-}
-
-/// What a reading is called.
-pub(crate) fn reading(reading: Reading) -> &'static str {
-    match reading {
-        Reading::Pixel => "pixel",
-        Reading::Keys => "keys",
-        Reading::Diff => "diff",
-        Reading::Idea => "idea",
-    }
+    /// What is told once, then what is told of each of several things of a kind.
+    pub(crate) symbols: Vec<Symbols>,
 }

@@ -78,7 +78,7 @@ pub fn translated(english: &str) -> &str {
 
 /// The translation of `english` with `values` in the place of their {names}.
 #[doc(hidden)]
-pub fn composed(english: &str, values: &[(&str, &dyn Display)]) -> String {
+pub fn filled(english: &str, values: &[(&str, &dyn Display)]) -> String {
     let mut text = String::new();
     let mut rest = translated(english);
     while let Some((before, after)) = rest.split_once('{') {
@@ -99,7 +99,7 @@ pub fn composed(english: &str, values: &[(&str, &dyn Display)]) -> String {
 macro_rules! text {
     ($english:literal) => { $crate::translated($english) };
     ($english:literal, $($name:ident $(= $value:expr)?),+ $(,)?) => {
-        $crate::composed($english, &[$((stringify!($name), &$crate::text!(@ $name $($value)?))),+])
+        $crate::filled($english, &[$((stringify!($name), &$crate::text!(@ $name $($value)?))),+])
     };
     (@ $name:ident) => { $name };
     (@ $name:ident $value:expr) => { $value };

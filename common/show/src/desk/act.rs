@@ -60,6 +60,8 @@ pub enum Act {
     Difference,
     /// A text in place of the pixel's explanation; if it is shown, no more.
     Read(Reading),
+    /// The picture alone, or with all beside it.
+    Alone,
     /// The next of the languages.
     NextLanguage,
     /// This language.

@@ -90,13 +90,16 @@ impl Desk {
             }
             Act::Divide => return self.compare_by(Compare::Divided(0.5)),
             Act::DivideAt(part) => {
-                self.compare =
-                    Compare::Divided(if part.is_nan() { 0.5 } else { part.clamp(0.0, 1.0) });
-                return self.repaint();
+                let part = if part.is_nan() { 0.5 } else { part.clamp(0.0, 1.0) };
+                let divided = Compare::Divided(part);
+                if let Compare::Divided(_) = mem::replace(&mut self.compare, divided) {
+                    return self.repaint();
+                }
             }
             Act::Difference => return self.compare_by(Compare::Difference),
-            Act::Read(reading) => {
-                self.reading = if self.reading == reading { Reading::Pixel } else { reading };
+            Act::Read(reading) => return self.read(reading),
+            Act::Alone => {
+                self.alone = !self.alone;
                 return self.repaint();
             }
             Act::NextLanguage => self.speak(self.language.next()),
@@ -241,6 +244,19 @@ impl Desk {
         }
         self.changed();
         Ok(())
+    }
+
+    /// Shows a text, or no more where it is to be seen.
+    fn read(&mut self, asked: Reading) -> Result<(), Refusal> {
+        let before = self.reading();
+        let is_hidden = self.alone && asked == before;
+        if !is_hidden {
+            self.reading = if self.reading == asked { Reading::Pixel } else { asked };
+        }
+        if is_hidden || self.reading() != before {
+            self.alone = false;
+        }
+        self.repaint()
     }
 
     pub(super) fn speak(&mut self, language: Language) {

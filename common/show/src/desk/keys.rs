@@ -65,8 +65,6 @@ pub enum Hand {
     Reset,
     /// Pins the pixel under the pointer.
     Pin,
-    /// The picture alone, or all beside it.
-    Alone,
     /// Larger text.
     Larger,
     /// Smaller text.
@@ -121,7 +119,7 @@ pub fn table() -> Vec<Row> {
         ),
         row(
             "Left, Right",
-            "change it; with Shift in fine steps",
+            "change it, with Shift in fine steps; fold a heading or unfold it",
             hand(&[(Key::Left, Hand::Less), (Key::Right, Hand::More)]),
         ),
         row(
@@ -130,20 +128,16 @@ pub fn table() -> Vec<Row> {
             hand(&[(Key::Backspace, Hand::Reset), (Key::Delete, Hand::Reset)]),
         ),
         row("Home", "reset all controls", act(&[Key::Home], Act::ResetAll)),
+        row("Space", "the picture alone, or with all beside it", act(&[Key::Space], Act::Alone)),
         row(
-            "Space",
-            "the picture alone, or with all beside it",
-            hand(&[(Key::Space, Hand::Alone)]),
-        ),
-        row(
-            "+, -",
+            "+, −",
             "larger or smaller text",
             hand(&[(letter('+'), Hand::Larger), (letter('-'), Hand::Smaller)]),
         ),
         row("V", "show or hide the rays and vectors", act(&[letter('V')], Act::Vectors)),
         row("H", "show or hide what can be dragged", act(&[letter('H')], Act::Handles)),
         row("O", "look from outside the camera, or through it", act(&[letter('O')], Act::Outside)),
-        row("C", "print the command that gives this picture", act(&[letter('C')], Act::Command)),
+        row("C", "the command that gives exactly this picture", act(&[letter('C')], Act::Command)),
         row("G", "all this in the next language", act(&[letter('G')], Act::NextLanguage)),
         row(
             "F1, K",

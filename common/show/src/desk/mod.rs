@@ -57,6 +57,7 @@ pub struct Desk {
     /// The step before takes this one's place as long as a key is held.
     holding: bool,
     reading: Reading,
+    alone: bool,
     /// The centre of the pinned pixel, as a part of the width from the left and of the height
     /// from the top.
     pinned: Option<(f32, f32)>,
@@ -82,7 +83,7 @@ impl Desk {
     ///
     /// When there is no program at `current`.
     pub fn new(programs: Vec<Program>, current: usize) -> Self {
-        let Program { ref make, size, .. } = programs[current];
+        let Program { ref make, size, is_figure, .. } = programs[current];
         let mut desk = Self {
             setup: Setup::new(make.clone()),
             programs,
@@ -96,6 +97,7 @@ impl Desk {
             compare: Compare::Off,
             holding: false,
             reading: Reading::Pixel,
+            alone: is_figure,
             pinned: None,
             language: Language::spoken(),
             effects: Vec::new(),
@@ -178,6 +180,11 @@ impl Desk {
             Reading::Idea if idea.is_empty() => Reading::Pixel,
             reading => reading,
         }
+    }
+
+    /// Whether the picture is shown alone, without anything beside it.
+    pub fn alone(&self) -> bool {
+        self.alone
     }
 
     /// The language of all that is shown: at first the one [spoken](Language::spoken) when it began.

@@ -9,8 +9,7 @@ use crate::Act;
 use crate::Compare;
 use crate::Effect;
 use crate::Handle;
-use crate::Sight;
-use crate::handle_at;
+use crate::over::point_at;
 use common::View;
 
 /// What the mouse button took hold of.
@@ -87,15 +86,10 @@ impl Session {
                 return Held::Divider;
             }
         }
-        let mut points = self.desk.points();
-        let view = self.desk.seen_from();
-        let camera = view.camera(self.desk.picture_size().aspect());
-        let step = self.desk.setup().step();
-        let sight = Sight { step, camera: &*camera, area: layout.picture };
-        if let Some(place) = handle_at(&sight, &points, at, layout.em.max(8.0)) {
-            return Held::Point(points.swap_remove(place));
+        if let Some(point) = point_at(&self.desk, layout.picture, at, layout.em.max(8.0)) {
+            return Held::Point(point);
         }
-        let View { azimuth, elevation, .. } = *view;
+        let View { azimuth, elevation, .. } = *self.desk.seen_from();
         Held::Picture { at, azimuth, elevation, click: true }
     }
 

@@ -68,7 +68,6 @@ pub struct Session {
     reading_scroll: f32,
     /// How much larger the text is than usual.
     text: f32,
-    hidden: bool,
     note: Option<String>,
     pointer: (f32, f32),
     held: Held,
@@ -85,7 +84,6 @@ impl Session {
     pub fn new(desk: Desk) -> Self {
         let mut session = Self {
             window: desk.picture_size(),
-            hidden: desk.program().is_figure,
             desk,
             selected: None,
             folds: Vec::new(),
@@ -215,21 +213,12 @@ impl Session {
     /// Does something on the desk, with what follows from it here.
     fn do_act(&mut self, act: Act) {
         let (step, reading) = (self.desk.step(), self.desk.reading());
-        // What is not to be seen is first shown.
-        if matches!(act, Act::Read(asked) if self.hidden && asked == reading) {
-            self.hidden = false;
-            return;
-        }
-        let reads = matches!(act, Act::Read(_));
         self.act(act);
         if step != self.desk.step() {
             let shown = self.targets();
             if self.selected.as_ref().is_none_or(|selected| !shown.contains(selected)) {
                 self.select_first();
             }
-        }
-        if reads && reading != self.desk.reading() {
-            self.hidden = false;
         }
         if step != self.desk.step() || reading != self.desk.reading() {
             self.scroll_reading();
@@ -251,7 +240,6 @@ impl Session {
                 true => self.pin(self.pointer),
                 false => self.say(text!("point at the picture to pin a pixel").to_owned()),
             },
-            Hand::Alone => self.hidden = !self.hidden,
             Hand::Larger => self.text = (self.text * LARGER).min(*TEXT.end()),
             Hand::Smaller => self.text = (self.text / LARGER).max(*TEXT.start()),
         }
@@ -346,7 +334,7 @@ impl Session {
             size: self.window,
             aspect: self.desk.picture_size().aspect(),
             text: self.text,
-            hidden: self.hidden,
+            hidden: self.desk.alone(),
             reading: self.has_reading(),
         })
     }

@@ -15,11 +15,9 @@ use crate::Canvas;
 use crate::Compare;
 use crate::Font;
 use crate::Ink;
-use crate::Outside;
 use crate::Program;
-use crate::Sight;
 use crate::count_off;
-use crate::draw_vectors;
+use crate::over::draw_marks;
 use crate::text;
 
 impl Session {
@@ -32,7 +30,7 @@ impl Session {
         let mut canvas = Canvas::new(window);
         canvas.fill(canvas.area(), BACKGROUND);
         let differing = self.paint_pictures(&mut canvas, &layout, pictures);
-        self.paint_vectors(&mut canvas, layout.picture, layout.em.clamp(11.0, 40.0));
+        self.paint_marks(&mut canvas, layout.picture, layout.em.clamp(11.0, 40.0));
         let said = match (&self.note, differing) {
             (Some(note), _) => Some(note.clone()),
             (None, Some((pixels, of))) => Some(text!("{pixels} of {of} pixels differ", pixels, of)),
@@ -81,23 +79,12 @@ impl Session {
         }
     }
 
-    /// What is told of the pinned pixel with a place in the world; outside, the camera too.
-    pub(super) fn paint_vectors(&self, canvas: &mut Canvas<'_>, area: Area, text_size: f32) {
-        let points = self.desk.points();
-        let explanation = self.desk.explanation().filter(|_| self.desk.vectors());
-        let (step, view) = (self.desk.setup().step(), self.desk.setup().view());
-        let mut canvas = canvas.clipped(area);
-        if let Some(onlooker) = self.desk.onlooker() {
-            let onlooker = onlooker.camera(area.width / area.height);
-            let outside = Outside { step, view, onlooker: &*onlooker, area };
-            return outside.draw(&mut canvas, explanation.as_ref(), &points, text_size);
-        }
-        if explanation.is_some() || !points.is_empty() {
-            let camera = view.camera(self.desk.picture_size().aspect());
-            let sight = Sight { step, camera: &*camera, area };
-            draw_vectors(&mut canvas, sight, explanation.as_ref(), &points, text_size);
-        }
-        if let Some((u, v)) = self.desk.pin() {
+    /// What lies over the picture, and a ring around the pinned pixel.
+    pub(super) fn paint_marks(&self, canvas: &mut Canvas<'_>, area: Area, text_size: f32) {
+        draw_marks(&self.desk, canvas, area, text_size);
+        let seen_through = self.desk.onlooker().is_none();
+        if let Some((u, v)) = self.desk.pin().filter(|_| seen_through) {
+            let mut canvas = canvas.clipped(area);
             let at = (area.left + u * area.width, area.top + v * area.height);
             let unit = text_size / 10.0;
             canvas.ring(at, 4.0 * unit, 2.4 * unit, Ink::BLACK);

@@ -11,6 +11,7 @@ use super::row::Fold;
 use super::row::Row;
 use crate::Area;
 use crate::Canvas;
+use crate::over::composed;
 
 /// The em of the text beside a written picture, of the picture's height, and that of the labels in it.
 const TEXT: f32 = 1.0 / 36.0;
@@ -27,16 +28,14 @@ impl Session {
     /// What is written to a file: the desk's pictures at its own size as they are compared, with the
     /// pinned pixel's rays and vectors, or the camera from outside. To the right of a pinned pixel's
     /// picture stand its equations, in as many columns as they take.
-    pub fn written(&self, mut pictures: Vec<RgbImage>) -> RgbImage {
+    pub fn written(&self, pictures: Vec<RgbImage>) -> RgbImage {
         self.desk.language().speak();
-        let this = pictures.pop().unwrap_or_default();
-        let picture = pictures.pop().map(|before| self.desk.compare().composed(&before, &this));
-        let mut picture = picture.unwrap_or(this);
+        let mut picture = composed(&self.desk, pictures);
         let area = Canvas::new(&mut picture).area();
         let shorter = area.height.min(0.75 * area.width);
         let [em, label] = [TEXT, LABEL].map(|part| (part * shorter).clamp(SIZES.0, SIZES.1));
         if self.desk.vectors() || self.desk.onlooker().is_some() {
-            self.paint_vectors(&mut Canvas::new(&mut picture), area, label);
+            self.paint_marks(&mut Canvas::new(&mut picture), area, label);
         }
         if self.desk.pin().is_none() || !self.desk.vectors() {
             return picture;

@@ -1,0 +1,56 @@
+//! What lies over a desk's picture: the step before, what the pinned pixel tells, what can be dragged.
+
+use image::RgbImage;
+
+use crate::Area;
+use crate::Canvas;
+use crate::Compare;
+use crate::Desk;
+use crate::Handle;
+use crate::Outside;
+use crate::Sight;
+use crate::draw_vectors;
+use crate::handle_at;
+
+/// What is to be seen of the desk's pictures: of two the last alone if they have different sizes.
+pub fn composed(desk: &Desk, mut pictures: Vec<RgbImage>) -> RgbImage {
+    let this = pictures.pop().unwrap_or_default();
+    match (pictures.pop(), desk.compare()) {
+        (Some(before), compare) if compare != Compare::Off => compare.composed(&before, &this),
+        _ => this,
+    }
+}
+
+/// Whether something is drawn over the desk's picture.
+pub fn is_marked(desk: &Desk) -> bool {
+    let tells = desk.vectors() && desk.pin().is_some();
+    tells || desk.onlooker().is_some() || !desk.points().is_empty()
+}
+
+/// Draws over the picture in `area` what is told of the pinned pixel with a place in the world, and
+/// what can be dragged; from outside, the camera too. Letters are `text_size` high.
+pub fn draw_marks(desk: &Desk, canvas: &mut Canvas<'_>, area: Area, text_size: f32) {
+    let points = desk.points();
+    let explanation = desk.explanation().filter(|_| desk.vectors());
+    let (step, view) = (desk.setup().step(), desk.setup().view());
+    let mut canvas = canvas.clipped(area);
+    if let Some(onlooker) = desk.onlooker() {
+        let onlooker = onlooker.camera(area.width / area.height);
+        let outside = Outside { step, view, onlooker: &*onlooker, area };
+        outside.draw(&mut canvas, explanation.as_ref(), &points, text_size);
+    } else if explanation.is_some() || !points.is_empty() {
+        let camera = view.camera(desk.picture_size().aspect());
+        let sight = Sight { step, camera: &*camera, area };
+        draw_vectors(&mut canvas, sight, explanation.as_ref(), &points, text_size);
+    }
+}
+
+/// The point that can be dragged at a place of the picture in `area`, if one is not farther than
+/// `reach`.
+pub fn point_at(desk: &Desk, area: Area, at: (f32, f32), reach: f32) -> Option<Handle> {
+    let mut points = desk.points();
+    let camera = desk.seen_from().camera(desk.picture_size().aspect());
+    let sight = Sight { step: desk.setup().step(), camera: &*camera, area };
+    let place = handle_at(&sight, &points, at, reach)?;
+    Some(points.swap_remove(place))
+}

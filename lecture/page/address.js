@@ -1,0 +1,53 @@
+// The address of what is shown.
+
+const decoded = (address) =>
+  address.split("&").map((part) => {
+    try { return decodeURIComponent(part); } catch { return part; }
+  }).join("&");
+
+const encoded = (address) =>
+  "#" + address.slice(1).split("&")
+    .map((part) => encodeURIComponent(part).replace(/%(3D|2C)/g, decodeURIComponent)).join("&");
+
+/** Shows what an address says. */
+function open(address) {
+  act({ open: decoded(address) });
+}
+
+let written = "";
+let writing = 0;
+
+/** Puts what is shown into the address, in place of the last one or as the next. */
+function write(way, address) {
+  clearTimeout(writing);
+  written = encoded(address);
+  try { history[way](null, "", written); } catch { /* A frame without an address of its own. */ }
+}
+
+/** Writes the address; what was shown `before`, if that is said, can be come back to. */
+function writeAddress(before) {
+  clearTimeout(writing);
+  if (before) {
+    write("replaceState", before);
+    write("pushState", state.address);
+    return;
+  }
+  // Browsers allow only so many changes of the address a second.
+  writing = setTimeout(() => write("replaceState", state.address), 200);
+}
+
+/** A link to a step takes all along; one with settings shows just these, and keeps the pin. */
+function follow(event) {
+  const link = event.target.closest("a[href^='#step']");
+  if (!link || event.ctrlKey || event.metaKey || event.shiftKey) return;
+  event.preventDefault();
+  if (!link.hash.includes("&")) return act({ step: Number(link.hash.slice(5)) });
+  const { address, pin, size } = state;
+  open(link.hash);
+  if (pin && !state.pin) act({ pin: pin.map((at, axis) => (at + 0.5) / size[axis]) });
+  writeAddress(address);
+}
+
+addEventListener("hashchange", () => {
+  if (state && location.hash !== written) open(location.hash);
+});

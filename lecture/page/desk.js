@@ -1,0 +1,50 @@
+// What is shown now, and what is done with it.
+
+/** What the steps' program says of its desk. */
+let state = null;
+
+/** Does what a question asks for, and shows what came of it; more may follow if it is `moving`. */
+function does(question, moving = false) {
+  let done;
+  try {
+    done = change(question);
+  } catch (error) {
+    return notice(error.message);
+  }
+  if (!done.known) return done;
+  notice(done.said || "");
+  if (done.redraw || done.repaint) refresh(!question.do || !question.do.open);
+  if (done.redraw) redraw(moving);
+  else if (done.repaint) show();
+  return done;
+}
+
+const act = (what) => does({ do: what });
+/** What a hand does, of which more may follow at once. */
+const moved = (what) => does({ do: what }, true);
+
+/** Does what a key does. */
+function press(key, down = true, fine = false) {
+  const done = does({ key: { key, down } });
+  if (!done) return true;
+  if (done.hand) HANDS[done.hand](fine);
+  if (done.save) save();
+  if (done.command) copy(state.command);
+  return done.known;
+}
+
+/** Reads what the steps' program holds now, and shows it; another step can be come back from. */
+function refresh(keeps) {
+  const before = state;
+  state = asked({ state: { spoken } });
+  const said = languageOf(state.language);
+  if (said !== language) speak(said);
+  const other = !before || before.step !== state.step || before.language !== state.language;
+  if (other) showStep();
+  controls.show(state.groups);
+  if (other) choose(selected());
+  showStage();
+  explain();
+  read(before);
+  writeAddress(keeps && before && before.step !== state.step ? before.address : "");
+}

@@ -1,0 +1,90 @@
+// The keys: the steps' program knows what each does; what only a page can do is done here.
+
+/** What only a page can do, as it knows what is where on it; `fine` if Shift is down. */
+const HANDS = {
+  before: () => select(-1),
+  after: () => select(1),
+  less: (fine) => nudge(fine ? -0.1 : -1),
+  more: (fine) => nudge(fine ? 0.1 : 1),
+  reset: () => act({ reset: selected().name || "" }),
+  pin() {
+    const here = pointed || (document.activeElement === $("picture") ? [0.5, 0.5] : null);
+    if (here) act({ pin: here });
+    else notice(text("point at the picture to pin a pixel"));
+  },
+  larger: () => enlarge(1.1),
+  smaller: () => enlarge(1 / 1.1),
+};
+
+/** The control or heading that keys act on, by its id. */
+let chosen = "";
+
+/** What can be selected: headings and controls, as far as they are not folded away. */
+const rows = () => [...$("controls").querySelectorAll("summary, input, select")].filter((row) => {
+  const fold = row.closest("details");
+  return row.tagName === "SUMMARY" || !fold || fold.open;
+});
+
+function selected() {
+  const all = rows();
+  return all.find(({ id }) => id === chosen) || all.find(({ name }) => name) || all[0];
+}
+
+/** Selects this row, as it is seen. */
+function choose(row) {
+  chosen = row.id;
+  for (const other of rows()) (other.closest(".control") || other).classList.remove("selected");
+  (row.closest(".control") || row).classList.add("selected");
+}
+
+function select(by) {
+  const all = rows();
+  const row = all[(all.indexOf(selected()) + by + all.length) % all.length];
+  choose(row);
+  row.focus();
+}
+
+function nudge(steps) {
+  const row = selected();
+  choose(row);
+  if (row.name) moved({ nudge: [row.name, steps] });
+  else if (row.parentNode.open !== steps > 0) row.click();
+  row.scrollIntoView({ block: "nearest" });
+}
+
+function enlarge(factor) {
+  larger = Math.min(4, Math.max(0.5, larger * factor));
+  document.documentElement.style.setProperty("--larger", larger);
+  show();
+}
+
+/** Whether a key is the browser's, or that of what has the focus. */
+function isKept({ key, target, ctrlKey, altKey, metaKey }) {
+  if (ctrlKey || altKey || metaKey || key === "Tab") return true;
+  if (key === "Enter" || key === " ")
+    return target.matches("a, button, summary, select, [type=checkbox]");
+  // Who reads with the keyboard turns pages there, and what has its own ways keeps them.
+  const moves = /^(Arrow|Page|Home|End)/.test(key);
+  return moves && Boolean(target.closest("#handouts, #below, #divider"));
+}
+
+function keys() {
+  document.addEventListener("keydown", (event) => {
+    if (event.defaultPrevented || isKept(event)) return;
+    if (press(event.key, true, event.shiftKey)) event.preventDefault();
+  });
+  document.addEventListener("keyup", (event) => press(event.key, false));
+  // What is held down elsewhere is not known.
+  addEventListener("blur", () => press("a", false));
+  // A click leaves the keys with the control that they act on.
+  document.addEventListener("mousedown", (event) => {
+    if (!event.target.closest("#picture, button, summary")) return;
+    event.preventDefault();
+    if (!document.activeElement.closest("#controls")) document.activeElement.blur();
+  });
+  for (const way of ["focusin", "click"])
+    $("controls").addEventListener(way, ({ target }) => {
+      const row = target.closest("summary, input, select");
+      if (row) choose(row);
+    });
+}

@@ -1,0 +1,137 @@
+//! One table of keys: what each does in the window it does on the page, and the READMEs list it.
+
+use std::fs;
+
+use lecture::Page;
+use lecture::programs;
+use serde_json::Value;
+use serde_json::json;
+use show::Act;
+use show::Desk;
+use show::Does;
+use show::Effect;
+use show::Event;
+use show::Key;
+use show::Language;
+use show::Session;
+use tests::root;
+
+/// What a browser calls a key.
+fn name(key: Key) -> String {
+    match key {
+        Key::Up | Key::Down | Key::Left | Key::Right => format!("Arrow{key:?}"),
+        Key::Space => " ".to_owned(),
+        Key::F(number) => format!("F{number}"),
+        Key::Char(letter) => letter.to_string(),
+        key => format!("{key:?}"),
+    }
+}
+
+fn ask(page: &mut Page, question: &Value) -> Value {
+    let answer = page.answer(question.to_string().as_bytes());
+    serde_json::from_slice(&answer.unwrap_or_else(|error| panic!("{question}: {error}")))
+        .expect("JSON")
+}
+
+/// What of a desk keys change, as the page says it.
+fn state(desk: &Desk) -> Value {
+    json!({
+        "address": desk.address(Language::English),
+        "holding": desk.is_holding(),
+        "reading": format!("{:?}", desk.reading()).to_lowercase(),
+        "alone": desk.alone(),
+    })
+}
+
+/// A window and a page that show what `address` says.
+fn both(address: &str) -> (Session, Page) {
+    let mut desk = Desk::new(programs(), 0);
+    desk.act(Act::Open(address.to_owned())).expect("an address");
+    let mut page = Page::default();
+    ask(&mut page, &json!({"do": {"open": address}}));
+    (Session::new(desk), page)
+}
+
+#[test]
+fn each_key_does_the_same_in_the_window_and_on_the_page() {
+    for address in ["#step01", "#step06&red.radius=0.5&pixel=480,300", "#step07&outside=on"] {
+        let (mut session, mut page) = both(address);
+        // What the first round did the second undoes, or does again, alike.
+        for (key, does) in
+            [show::keys(), show::keys()].into_iter().flatten().flat_map(|row| row.does)
+        {
+            let name = name(key);
+            for down in [true, false] {
+                let done = ask(&mut page, &json!({"key": {"key": name, "down": down}}));
+                let whose = format!("{address}: {name}, {down}");
+                if let Does::Shell(hand) = &does {
+                    let hand = down.then(|| format!("{hand:?}").to_lowercase());
+                    assert_eq!(
+                        (&done["known"], &done["hand"]),
+                        (&json!(down), &json!(hand)),
+                        "{whose}"
+                    );
+                    continue;
+                }
+                let event = if down { Event::Key(key, false) } else { Event::KeyUp(key) };
+                let effects = session.handle(event);
+                assert_eq!(done["known"], down || matches!(does, Does::While(..)), "{whose}");
+                assert_eq!(done["save"], effects.contains(&Effect::Save), "{whose}");
+                let shown = ask(&mut page, &json!({"state": {"spoken": "en"}}));
+                for (what, expected) in state(session.desk()).as_object().expect("an object") {
+                    assert_eq!(shown[what], *expected, "{whose}: {what}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn with_caps_lock_letters_do_the_same_and_other_keys_do_nothing() {
+    for (key, known) in [
+        ("v", true),
+        ("V", true),
+        ("=", true),
+        ("é", false),
+        ("F12", false),
+        ("Fx", false),
+        ("", false),
+        ("Shift", false),
+    ] {
+        let (_, mut page) = both("#step05");
+        let done = ask(&mut page, &json!({"key": {"key": key, "down": true}}));
+        assert_eq!(done["known"], known, "{key}");
+    }
+}
+
+#[test]
+fn no_key_does_two_things() {
+    let keys: Vec<Key> =
+        show::keys().into_iter().flat_map(|row| row.does).map(|(key, _)| key).collect();
+    for (place, key) in keys.iter().enumerate() {
+        assert!(!keys[..place].contains(key), "{key:?}");
+    }
+}
+
+#[test]
+fn the_readmes_list_all_keys() {
+    for (file, heading, language) in [
+        ("README.md", "\n## Keys and flags\n", Language::English),
+        ("README.pt-BR.md", "\n## Teclas e opções\n", Language::Portuguese),
+    ] {
+        let text = fs::read_to_string(root().join(file)).expect("text");
+        let (_, section) = text.split_once(heading).expect("the section");
+        language.speak();
+        let tables: Vec<&str> = section.split("|---|---|\n").skip(1).take(2).collect();
+        for (table, lecture) in tables.into_iter().zip([false, true]) {
+            let listed: Vec<&str> =
+                table.lines().take_while(|line| line.starts_with('|')).collect();
+            let rows = show::keys().into_iter().filter(|row| row.lecture == lecture);
+            let rows: Vec<String> = rows
+                .map(|row| row.listed())
+                .map(|(keys, effect)| format!("| {keys} | {effect} |"))
+                .collect();
+            assert_eq!(listed.join("\n"), rows.join("\n"), "{file}");
+        }
+    }
+}
