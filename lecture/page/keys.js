@@ -61,11 +61,11 @@ function enlarge(factor) {
 /** Whether a key is the browser's, or that of what has the focus. */
 function isKept({ key, target, ctrlKey, altKey, metaKey }) {
   if (ctrlKey || altKey || metaKey || key === "Tab") return true;
-  if (key === "Enter" || key === " ")
-    return target.matches("a, button, summary, select, [type=checkbox]");
+  if (/^(Enter| )$/.test(key) && target.matches("a, button, summary, select, [type=checkbox]"))
+    return true;
   // Who reads with the keyboard turns pages there, and what has its own ways keeps them.
-  const moves = /^(Arrow|Page|Home|End)/.test(key);
-  return moves && Boolean(target.closest("#handouts, #below, #divider"));
+  return Boolean(target.closest("#handouts, #below, #divider"))
+    && /^(Arrow|Page|Home|End|Enter| )/.test(key);
 }
 
 function keys() {

@@ -229,7 +229,7 @@ fn build(root: &Path) -> Result<PathBuf> {
     let target = env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), PathBuf::from);
     let target = path::absolute(target)?;
     build.args(["--target", TARGET, "--target-dir"]).arg(&target);
-    // A profile with an exception for this package does not take it.
+    // Where a profile has an exception for a package, cargo leaves its functions' names in.
     build.args(["--", "-Cstrip=symbols"]);
     build.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", FLAGS);
     let built = build.status().context(text!("cannot run cargo, which has to build the page"))?;

@@ -1,7 +1,7 @@
 //! The whole class at once: all steps behind one door.
 //!
 //! [`steps!`] is the only place that names them all. [`Page`] answers a browser; what it is asked
-//! comes from `page/page.js`, through the three functions of `exports.rs`.
+//! comes from the scripts in `page`, through the three functions of `exports.rs`.
 
 #[cfg(target_family = "wasm")]
 mod exports;
