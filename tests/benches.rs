@@ -3,8 +3,6 @@
 //! Pictures have 1333 × 750 pixels, a million but for a few, so that a picture's milliseconds are
 //! a pixel's nanoseconds.
 
-use std::rc::Rc;
-
 use divan::Bencher;
 use divan::black_box;
 use image::RgbImage;
@@ -16,6 +14,7 @@ use lecture::step07_specular::scene::Scene;
 use lecture::step07_specular::sphere::Sphere;
 use lecture::step07_specular::surface::Surface;
 use lecture::step07_specular::triangle::Triangle;
+use show::Desk;
 use show::Event;
 use show::Key;
 use show::Program;
@@ -68,13 +67,9 @@ fn dragged_frame(bencher: Bencher<'_, '_>, shown: &str) {
         "06" | "05 | 06" => 5,
         _ => 6,
     };
-    let program = |index| {
-        let make = Rc::new(move || tests::step(index));
-        Program::new(STEPS[index], "a concept", Size::DEFAULT, make)
-    };
+    let program = |index| Program::new(STEPS[index], "a concept", Size::DEFAULT, make(index));
     let programs: Vec<Program> = (0..STEPS.len()).map(program).collect();
-    let setup = Setup::new(programs[current].make.clone());
-    let mut session = Session::new(programs, current, setup, Size::DEFAULT, 1);
+    let mut session = Session::new(Desk::new(programs, current));
     if current < 6 {
         session.handle(Event::Key(Key::Space, false));
     }
@@ -95,12 +90,13 @@ fn dragged_frame(bencher: Bencher<'_, '_>, shown: &str) {
     bencher.bench_local(|| {
         x = if x < 200.0 { x + 20.0 } else { 120.0 };
         session.handle(Event::Move(x, 100.0));
+        let size = session.shown_size();
         let render = |wanted: &Wanted<'_>| {
             let (step, camera) = (wanted.setup.step(), &*wanted.camera);
-            let frame = Frame { step, camera, size: wanted.size, samples: 1 };
+            let frame = Frame { step, camera, size, samples: 1 };
             render_parallel(&frame, |_| ())
         };
-        let pictures: Vec<RgbImage> = session.pictures().iter().map(render).collect();
+        let pictures: Vec<RgbImage> = session.desk().pictures().iter().map(render).collect();
         session.paint(&mut window, &pictures.iter().collect::<Vec<_>>(), "");
     });
 }

@@ -98,7 +98,7 @@ fn a_view_shows_the_target_in_the_middle_however_it_is_turned() {
         (view.azimuth, view.elevation) = (azimuth, elevation);
         let why = format!("azimuth {azimuth}, elevation {elevation}, 6 units away");
         near("the viewpoint", view.eye(), TARGET + 6.0 * direction, &why);
-        for (_, projection) in View::PROJECTIONS {
+        for projection in PROJECTIONS {
             view.projection = projection;
             let center = ray_at(&*view.camera(1.5), (0.0, 0.0));
             near("d at the centre", center.direction, -direction, &why);

@@ -114,7 +114,8 @@ fn help_names_every_flag_and_control_and_writes_nothing() {
         let flags =
             ["--output", "--size", "--camera", "--set", "--samples", "--pixel", "--compare"];
         let controls = setup(index).list().into_iter().map(|setting| {
-            format!("  {:<14} {} ({})\n", setting.name, setting.takes, setting.text)
+            let Setting { name, control, .. } = setting;
+            format!("  {name:<16} {} ({})\n", control.takes(), control.text())
         });
         for part in flags.map(str::to_owned).into_iter().chain(controls) {
             assert!(text.contains(&part), "{name}: no {part:?} in:\n{text}");

@@ -194,7 +194,7 @@ fn right_solutions_are_accepted_and_others_refused_with_what_is_known_of_them() 
 #[test]
 fn milestones_are_those_that_handouts_name() {
     for (step, words, ..) in MILESTONES {
-        let handout = lecture::PROGRAMS[step - 1].handout;
+        let handout = lecture::PROGRAMS[step - 1].handouts[0];
         let (_, exercise) = handout.split_once("\n## Exercise\n").expect("an exercise");
         let exercise: Vec<&str> = exercise.split_whitespace().collect();
         let name = STEPS[step - 1];

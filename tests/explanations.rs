@@ -45,7 +45,7 @@ fn seen(step: &str, explanation: &Explanation) -> Option<Color> {
 
 /// No line is long, and numbers and words begin in the same columns.
 fn reads_well(step: &str, explanation: &Explanation) {
-    let text = explanation.to_string();
+    let text = written(explanation);
     for line in text.lines() {
         let length = line.chars().count();
         assert!(
@@ -76,14 +76,15 @@ fn what_is_told_is_what_is_drawn_and_adds_up<S: Package>() {
     let index = STEPS.iter().position(|name| *name == S::NAME).expect("a step");
     let rng = &mut Rng::with_seed(index as u64);
     for _ in 0..TRIED.0 {
-        let moved = Moved::<S>::new(rng);
-        let camera = moved.view.camera(WIDTH as f32 / HEIGHT as f32);
+        let moved = Moved::new(setup(index), rng);
+        let (step, view) = (moved.setup.step(), moved.setup.view());
+        let camera = view.camera(WIDTH as f32 / HEIGHT as f32);
         for _ in 0..TRIED.1 {
             let (col, row) = (rng.usize(..WIDTH), rng.usize(..HEIGHT));
             let pixel = Pixel { col, row, width: WIDTH, height: HEIGHT };
-            let explanation = moved.step.explain(&*camera, pixel);
-            let told = |what: &str| format!("{}: {what}:\n{explanation}", S::NAME);
-            let drawn = self::row(&moved.step, &*camera, row)[col];
+            let explanation = step.explain(&*camera, pixel);
+            let told = |what: &str| format!("{}: {what}:\n{}", S::NAME, written(&explanation));
+            let drawn = self::row(step, &*camera, row)[col];
             let bits = |color: Color| color.to_array().map(f32::to_bits);
             assert_eq!(bits(explanation.color), bits(drawn), "{}", told("drawn in another colour"));
             let seen = seen(S::NAME, &explanation);
@@ -93,7 +94,7 @@ fn what_is_told_is_what_is_drawn_and_adds_up<S: Package>() {
                 assert_eq!(explanation.value(symbol), Some(value.into()), "{}", told(symbol));
             }
             for shown in [false, true] {
-                Sheet::check(&moved, &explanation, &ray, shown);
+                Sheet::<S>::check(&moved, &explanation, &ray, shown);
             }
             reads_well(S::NAME, &explanation);
         }

@@ -136,9 +136,13 @@ fn every_command_runs() {
     none(wrong);
 }
 
-/// The names of a step's controls, and of its camera's.
+/// What a step's controls are called beside the picture, and its camera's; a point by its own name too.
 fn names_of_controls(index: usize) -> BTreeSet<String> {
-    setup(index).list().into_iter().map(|setting| setting.name).collect()
+    let names = |Setting { control, .. }: Setting| {
+        let point = control.axis.map(|(point, _)| point.to_owned());
+        [Some(control.name), point].into_iter().flatten()
+    };
+    setup(index).list().into_iter().flat_map(names).collect()
 }
 
 #[test]

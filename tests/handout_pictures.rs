@@ -22,9 +22,8 @@ fn the_picture_at_the_top_is_the_last_step() {
 
 /// The window with all steps at step 06, where a pixel was clicked and `key` pressed.
 fn in_class((col, row): (f32, f32), key: char) -> RgbImage {
-    let (programs, window) = (programs(), Size::DEFAULT);
-    let setup = Setup::new(programs[5].make.clone());
-    let mut session = Session::new(programs, 5, setup, window, 1);
+    let window = Size::DEFAULT;
+    let mut session = Session::new(Desk::new(programs(), 5));
     session.handle(Event::Resize(window));
     let Area { left, top, width, height } = session.picture_area();
     let x = left + width * (col + 0.5) / window.width() as f32;
@@ -32,11 +31,7 @@ fn in_class((col, row): (f32, f32), key: char) -> RgbImage {
     for event in [Event::Press(x, y), Event::Release(x, y), Event::Key(Key::Char(key), false)] {
         session.handle(event);
     }
-    let draw = |wanted: &Wanted<'_>| {
-        let (step, camera) = (wanted.setup.step(), &*wanted.camera);
-        Frame { step, camera, size: wanted.size, samples: 1 }.render()
-    };
-    let pictures: Vec<RgbImage> = session.pictures().iter().map(draw).collect();
+    let pictures = pictures_of(session.desk(), session.shown_size());
     let mut image = RgbImage::new(window.width() as u32, window.height() as u32);
     session.paint(&mut image, &pictures.iter().collect::<Vec<_>>(), "");
     image

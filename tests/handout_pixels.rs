@@ -6,10 +6,10 @@ use std::path::Path;
 
 use tests::prelude::*;
 
-use crate::readme::LANGUAGES;
 use crate::readme::Part;
 use crate::readme::Readme;
 use crate::readme::comments;
+use crate::readme::languages;
 use crate::readme::none;
 use crate::readme::originals;
 use crate::set_up;
@@ -70,7 +70,7 @@ fn explanation(index: usize, arguments: &str) -> Explanation {
 
 /// The lines of what [`explanation`] gives, in the language that is spoken, their words one space apart.
 fn told(index: usize, arguments: &str) -> Vec<String> {
-    explanation(index, arguments).to_string().lines().map(spaced).collect()
+    written(&explanation(index, arguments)).lines().map(spaced).collect()
 }
 
 fn spaced(text: &str) -> String {
@@ -163,7 +163,7 @@ const QUOTED: &[Quoted] = &[
 fn what_is_quoted_of_a_pixel_is_told_in_each_language() {
     let mut wrong = Vec::new();
     for (number, arguments, quoted) in QUOTED {
-        for ((language, file), (line, prose)) in LANGUAGES.into_iter().zip(quoted) {
+        for ((language, file), (line, prose)) in languages().into_iter().zip(quoted) {
             language.speak();
             let path = Path::new(STEPS[number - 1]).join(file);
             let handout = fs::read_to_string(root().join(&path)).expect("a handout");
@@ -178,6 +178,6 @@ fn what_is_quoted_of_a_pixel_is_told_in_each_language() {
             }
         }
     }
-    Language::English.speak();
+    Language::ENGLISH.speak();
     none(wrong);
 }

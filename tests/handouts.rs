@@ -12,17 +12,16 @@ use std::path::Path;
 use std::path::PathBuf;
 
 use pulldown_cmark::HeadingLevel;
-use readme::LANGUAGES;
 use readme::Part;
 use readme::Readme;
 use readme::commands;
+use readme::languages;
 use readme::left_to_the_reader;
 use readme::none;
 use readme::originals;
 use readme::readmes;
 use readme::texts;
-use show::KEYS;
-use show::LECTURE_KEYS;
+use show::keys;
 use show::translated;
 use tests::prelude::*;
 
@@ -174,12 +173,12 @@ fn fences_hold_what_is_held_to_something() {
 #[test]
 fn the_keys_are_those_of_the_window_in_each_language() {
     let mut wrong = Vec::new();
-    for (language, file) in LANGUAGES {
+    for (language, file) in languages() {
         language.speak();
         let readme = Readme::read(Path::new(file));
         let texts: Vec<&str> = readme.texts().collect();
-        for (keys, _) in KEYS.iter().chain(LECTURE_KEYS) {
-            for key in translated(keys).split(", ").map(|key| key.replace('-', "−")) {
+        for row in keys() {
+            for key in translated(row.keys).split(", ").map(|key| key.replace('-', "−")) {
                 let is_key = |text: &str| {
                     text.split(", ").chain(text.split([',', ' '])).any(|found| found == key)
                 };
@@ -189,7 +188,7 @@ fn the_keys_are_those_of_the_window_in_each_language() {
             }
         }
     }
-    Language::English.speak();
+    Language::ENGLISH.speak();
     none(wrong);
 }
 

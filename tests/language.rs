@@ -4,7 +4,6 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
-use std::rc::Rc;
 use std::sync::LazyLock;
 use std::sync::Mutex;
 
@@ -72,9 +71,8 @@ fn has_words(text: &str, names: &BTreeSet<String>) -> bool {
 fn names() -> BTreeSet<String> {
     let mut names = BTreeSet::new();
     for index in 0..STEPS.len() {
-        let (mut step, mut view) = (step(index), step(index).view());
-        for control in step.controls().into_iter().chain(view.controls()) {
-            names.extend(control.options().into_iter().map(str::to_owned));
+        for Setting { control, .. } in setup(index).list() {
+            names.extend(control.options().iter().map(|name| (*name).to_owned()));
             names.extend(control.axis.map(|(name, _)| name.to_owned()));
             names.extend(control.of.map(|(kind, _)| kind.to_owned()));
             names.insert(control.name);
@@ -93,12 +91,10 @@ fn texts() -> BTreeSet<String> {
         texts.extend(literals.filter(|(code, _)| code.ends_with("text!(")).map(|(_, text)| text));
     }
     texts.extend(texts_of_the_page());
-    let keys = KEYS.iter().chain(LECTURE_KEYS).flat_map(|(key, effect)| [key, effect]);
-    let mistakes =
-        exercises::Mistake::ALL.iter().flat_map(|mistake| [&mistake.what, &mistake.place]);
-    let milestones =
-        exercises::Milestone::ALL.iter().flat_map(|it| [&it.done, &it.missing, &it.next]);
-    texts.extend(keys.chain(mistakes).chain(milestones).map(|text| (*text).to_owned()));
+    let keys = keys().into_iter().flat_map(|row| [row.keys, row.effect]);
+    let mistakes = exercises::Mistake::ALL.iter().flat_map(|mistake| [mistake.what, mistake.place]);
+    let milestones = exercises::Milestone::ALL.iter().flat_map(|it| [it.done, it.missing, it.next]);
+    texts.extend(keys.chain(mistakes).chain(milestones).map(str::to_owned));
     // The group of the controls that every step has.
     texts.insert("camera".to_owned());
     for name in STEPS.into_iter().chain(["lecture"]) {
@@ -135,9 +131,10 @@ fn texts() -> BTreeSet<String> {
 /// The texts of the web page's own: what its script asks for, and what stands in its HTML.
 fn texts_of_the_page() -> Vec<String> {
     let mut texts = Vec::new();
-    for file in ["page/index.html", "page/page.js", "src/html.rs"] {
-        let source = fs::read_to_string(root().join("lecture").join(file)).expect("text");
-        let source = source.replace("\\\"", "\"");
+    let mut files = files_below(&root().join("lecture/page"));
+    files.push(root().join("lecture/src/html.rs"));
+    for file in files {
+        let source = fs::read_to_string(file).expect("text").replace("\\\"", "\"");
         for mark in ["data-text=\"", "data-name=\"", "text(\""] {
             let is_word = |at: usize| source[..at].ends_with(|letter: char| letter.is_alphabetic());
             let found = source.match_indices(mark).filter(|(at, _)| !is_word(*at));
@@ -170,17 +167,17 @@ fn placeholders(text: &str) -> Vec<&str> {
 fn every_text_has_its_translation_and_no_other_has() {
     let texts = texts();
     let translations: BTreeSet<String> =
-        Language::catalogue().into_iter().map(|(english, _)| english).collect();
+        portuguese().catalogue().into_iter().map(|(english, _)| english).collect();
     let missing: Vec<&String> = texts.difference(&translations).collect();
-    assert!(missing.is_empty(), "not in common/src/pt-BR.po: {missing:#?}");
+    assert!(missing.is_empty(), "not in common/show/src/pt-BR.po: {missing:#?}");
     let unused: Vec<&String> = translations.difference(&texts).collect();
-    assert!(unused.is_empty(), "nowhere but in common/src/pt-BR.po: {unused:#?}");
-    assert_eq!(translations.len(), Language::catalogue().len(), "a text is translated twice");
+    assert!(unused.is_empty(), "nowhere but in common/show/src/pt-BR.po: {unused:#?}");
+    assert_eq!(translations.len(), portuguese().catalogue().len(), "a text is translated twice");
 }
 
 #[test]
 fn translations_have_the_same_placeholders_and_letters_that_can_be_written() {
-    for (english, portuguese) in Language::catalogue() {
+    for (english, portuguese) in portuguese().catalogue() {
         assert!(!portuguese.is_empty(), "not translated: {english}");
         assert_eq!(placeholders(&english), placeholders(&portuguese), "{english}");
         let ends = |text: &str| (text.starts_with(['\n', ' ', ';']), text.ends_with('\n'));
@@ -194,16 +191,14 @@ fn translations_have_the_same_placeholders_and_letters_that_can_be_written() {
 #[test]
 fn texts_fit_where_they_stand() {
     let all = |language| STEPS.iter().enumerate().map(move |(index, step)| (language, index, step));
-    for (language, index, step) in
-        [Language::English, Language::Portuguese].into_iter().flat_map(all)
-    {
+    for (language, index, step) in [Language::ENGLISH, portuguese()].into_iter().flat_map(all) {
         language.speak();
         for setting in setup(index).list() {
-            let group = translated(setting.group);
+            let group = translated(setting.control.group);
             assert!(Font::width(1.0, group) <= 15.0, "too wide for its heading: {group}");
         }
         for explanation in explanations(index) {
-            for line in explanation.to_string().lines() {
+            for line in written(&explanation).lines() {
                 assert!(line.chars().count() <= 100, "{step}: {line}");
             }
             for scope in explanation.told.all() {
@@ -227,13 +222,14 @@ fn texts_fit_where_they_stand() {
 /// neither.
 static VOCABULARIES: LazyLock<[BTreeSet<String>; 2]> = LazyLock::new(|| {
     let (english, portuguese): (Vec<String>, Vec<String>) =
-        Language::catalogue().into_iter().unzip();
+        portuguese().catalogue().into_iter().unzip();
     let all = |texts: Vec<String>| -> BTreeSet<String> {
         texts.iter().flat_map(|text| words(text)).collect()
     };
     let (english, portuguese, mut names) = (all(english), all(portuguese), names());
     for index in 0..STEPS.len() {
-        names.extend(setup(index).list().iter().flat_map(|setting| words(&setting.takes)));
+        names
+            .extend(setup(index).list().iter().flat_map(|setting| words(&setting.control.takes())));
     }
     let only = |these: &BTreeSet<String>, those| {
         these.difference(those).filter(|word| !names.contains(*word)).cloned().collect()
@@ -258,8 +254,8 @@ fn words(text: &str) -> Vec<String> {
 fn is_spoken(language: Language, said: &str) {
     let [english, portuguese] = &*VOCABULARIES;
     let (its, others) = match language {
-        Language::English => (english, portuguese),
-        Language::Portuguese => (portuguese, english),
+        Language::ENGLISH => (english, portuguese),
+        _ => (portuguese, english),
     };
     let words = words(said);
     let foreign: Vec<&String> = words.iter().filter(|word| others.contains(*word)).collect();
@@ -306,8 +302,7 @@ const SAID: &[(&str, &[&str])] = &[
 fn programs_say_all_in_the_language_of_the_system() {
     let wrong = WRONG.iter().map(|(arguments, _)| (STEPS[6], *arguments));
     for (name, arguments) in SAID.iter().copied().chain(wrong) {
-        for (locale, language) in [("pt_BR.UTF-8", Language::Portuguese), ("C", Language::English)]
-        {
+        for (locale, language) in [("pt_BR.UTF-8", portuguese()), ("C", Language::ENGLISH)] {
             let said = run(name, &[("LANG", locale)], arguments);
             is_spoken(language, &said);
             for line in said.lines().filter(|_| arguments == ["--help"]) {
@@ -319,7 +314,7 @@ fn programs_say_all_in_the_language_of_the_system() {
 
 #[test]
 fn the_first_variable_that_says_something_decides_unless_a_language_is_asked_for() {
-    let (english, portuguese) = (Language::English, Language::Portuguese);
+    let (english, portuguese) = (Language::ENGLISH, portuguese());
     // Where the user sets a language elsewhere, that one decides when no variable does.
     if cfg!(not(any(windows, target_os = "macos"))) {
         for locale in [&[][..], &[("LANG", "")]] {
@@ -349,7 +344,7 @@ fn what_is_said_while_a_picture_is_made_is_in_the_language_of_who_waits_for_it()
     let (step, size) = (step(5), Size::new(16, 9).expect("a size"));
     let camera = step.view().camera(size.aspect());
     let frame = Frame { step: &*step, camera: &*camera, size, samples: 1 };
-    for (_, language) in Language::ALL {
+    for language in Language::all() {
         language.speak();
         let spoken = Mutex::new(Vec::new());
         render_parallel(&frame, |_| spoken.lock().expect("unharmed").push(Language::spoken()));
@@ -372,20 +367,19 @@ fn the_keys_are_shown_in_the_language_of_the_session() {
     // So high that all lines can be seen, and so wide that none is broken.
     let window = Size::new(1000, 4000).expect("a size");
     let em = 0.0385 * 0.75 * 1000.0;
-    for (_, language) in Language::ALL {
+    for language in Language::all() {
         language.speak();
-        let program = |index| Program::new(STEPS[index], "", window, Rc::new(move || step(index)));
-        let programs = (0..STEPS.len()).map(program).collect();
-        let mut session = Session::new(programs, 5, setup(5), Size::DEFAULT, 1);
+        let program = |index| Program::new(STEPS[index], "", Size::DEFAULT, make(index));
+        let mut session = Session::new(Desk::new((0..STEPS.len()).map(program).collect(), 5));
         session.handle(Event::Resize(window));
         session.handle(Event::Key(Key::F(1), false));
         let mut image = RgbImage::new(1000, 4000);
         session.paint(&mut image, &[], "");
-        for (key, effect) in KEYS.iter().chain(LECTURE_KEYS) {
+        for row in keys() {
             for (left, ink, english) in
-                [(0.6, Ink::new(255, 208, 64), key), (1.55, Ink::grey(238), effect)]
+                [(0.6, Ink::new(255, 208, 64), row.keys), (1.55, Ink::grey(238), row.effect)]
             {
-                let [its, others] = [language, language.other()].map(|language| {
+                let [its, others] = [language, language.next()].map(|language| {
                     language.speak();
                     translated(english)
                 });
@@ -399,18 +393,18 @@ fn the_keys_are_shown_in_the_language_of_the_session() {
 
 #[test]
 fn a_key_changes_the_language_of_a_session() {
-    Language::English.speak();
-    let program = Program::new(STEPS[5], "", Size::DEFAULT, Rc::new(|| step(5)));
-    let mut session = Session::new(vec![program], 0, setup(5), Size::DEFAULT, 1);
+    Language::ENGLISH.speak();
+    let program = Program::new(STEPS[5], "", Size::DEFAULT, make(5));
+    let mut session = Session::new(Desk::new(vec![program], 0));
     let point = |session: &mut Session| {
         session.handle(Event::Key(Key::Enter, false));
         session.note().expect("a note").to_owned()
     };
     assert_eq!(point(&mut session), "point at the picture to pin a pixel");
     session.handle(Event::Key(Key::Char('G'), false));
-    assert_eq!(session.language(), Language::Portuguese);
+    assert_eq!(session.desk().language(), portuguese());
     // Whatever else was spoken meanwhile.
-    Language::English.speak();
+    Language::ENGLISH.speak();
     assert_eq!(point(&mut session), "aponte para a imagem para fixar um pixel");
     session.handle(Event::Key(Key::Char('G'), false));
     assert_eq!(point(&mut session), "point at the picture to pin a pixel");

@@ -7,23 +7,22 @@ use std::process::Output;
 use image::Rgb;
 use image::RgbImage;
 use lecture::programs;
+use show::Act;
+use show::Desk;
 use show::Effect;
 use show::Event;
-use show::Frame;
 use show::Key;
 use show::Language;
 use show::Program;
 use show::Session;
-use show::Setup;
 use show::Size;
-use show::Wanted;
 use tempfile::tempdir;
 use tests::STEPS;
 use tests::command;
 use tests::files;
 use tests::only_line;
+use tests::pictures_of;
 use tests::read_picture;
-use tests::setup;
 
 const LECTURE: &str = "lecture";
 
@@ -147,9 +146,9 @@ fn two_steps_are_compared_in_one_picture() {
 
 /// A session with all steps, at the step `index`, and pictures of 96 × 54 pixels.
 fn session(index: usize) -> Session {
-    let programs = programs();
-    let setup = Setup::new(programs[index].make.clone());
-    Session::new(programs, index, setup, Size::new(96, 54).expect("a size"), 1)
+    let mut desk = Desk::new(programs(), index);
+    desk.act(Act::Size(Size::new(96, 54).expect("a size"))).expect("a picture may have any size");
+    Session::new(desk)
 }
 
 #[test]
@@ -175,7 +174,7 @@ fn each_step_has_its_handout_in_short() {
 /// The command that `session` prints, and what it writes.
 fn taken_away(session: &mut Session) -> (String, RgbImage) {
     let effects = session.handle(Event::Key(Key::Char('C'), false));
-    let command = session.command();
+    let command = session.desk().command();
     assert!(effects.contains(&Effect::Print(format!("{command}\n"))));
     let words = command.strip_prefix("cargo run -p ").expect("a command");
     let (name, arguments) = words.split_once(" -- ").expect("arguments");
@@ -193,11 +192,7 @@ fn taken_away(session: &mut Session) -> (String, RgbImage) {
 
 /// The pictures that `session` wants.
 fn rendered(session: &Session) -> Vec<RgbImage> {
-    let render = |wanted: &Wanted<'_>| {
-        let (step, camera) = (wanted.setup.step(), &*wanted.camera);
-        Frame { step, camera, size: wanted.size, samples: 1 }.render()
-    };
-    session.pictures().iter().map(render).collect()
+    pictures_of(session.desk(), session.desk().picture_size())
 }
 
 /// Moves the camera by hand and every control that is shown by two keys.
@@ -223,10 +218,10 @@ fn change_everything(session: &mut Session) {
 fn what_stands_below_the_picture_has_room() {
     let window = Size::DEFAULT;
     let (width, height) = (window.width() as u32, window.height() as u32);
-    for (_, language) in Language::ALL {
+    for language in Language::all() {
         language.speak();
         for (index, name) in STEPS.iter().enumerate() {
-            let mut session = Session::new(programs(), index, setup(index), window, 1);
+            let mut session = Session::new(Desk::new(programs(), index));
             session.handle(Event::Resize(window));
             let mut image = RgbImage::new(width, height);
             session.paint(&mut image, &[], "");
@@ -276,7 +271,7 @@ fn the_printed_command_gives_the_camera_as_it_is_seen_from_outside() {
     let (command, started) = taken_away(&mut session);
     assert!(command.ends_with(" -o step06_shadows.png --outside"), "{command}");
     session.handle(Event::Wheel(2.0));
-    let distance = session.onlooker().expect("an onlooker").distance;
+    let distance = session.desk().onlooker().expect("an onlooker").distance;
     let (command, found) = taken_away(&mut session);
     assert!(
         command.ends_with(&format!("--outside --set outside.distance={distance}")),
@@ -294,16 +289,12 @@ fn the_printed_command_gives_the_pinned_pixel_as_it_is_saved() {
         let (x, y) = (area.left + 0.55 * area.width, area.top + 0.6 * area.height);
         session.handle(Event::Press(x, y));
         session.handle(Event::Release(x, y));
-        let pinned = session.pinned().expect("a pixel is pinned");
+        let pinned = session.desk().pinned().expect("a pixel is pinned");
         for keys in ["", "O", "D"] {
             keys.chars().for_each(|key| drop(session.handle(Event::Key(Key::Char(key), false))));
             let (command, found) = taken_away(&mut session);
             assert!(command.contains(&format!(" --pixel {},{} -o ", pinned.col, pinned.row)));
-            let render = |wanted: &Wanted<'_>| {
-                let (step, camera) = (wanted.setup.step(), &*wanted.camera);
-                Frame { step, camera, size: wanted.size, samples: 1 }.render()
-            };
-            let pictures: Vec<RgbImage> = session.saved().iter().map(render).collect();
+            let pictures = rendered(&session);
             let (width, height) = pictures[0].dimensions();
             assert!(session.written(pictures) == found, "{command}");
             assert!(found.width() > width && found.height() >= height, "{name}: {command}");
@@ -318,8 +309,8 @@ fn nothing_but_the_picture_is_saved_where_no_vectors_are_shown() {
     session.handle(Event::Press(x, y));
     session.handle(Event::Release(x, y));
     session.handle(Event::Key(Key::Char('V'), false));
-    assert!(!session.command().contains("--pixel"));
-    let size = session.picture_size();
+    assert!(!session.desk().command().contains("--pixel"));
+    let size = session.desk().picture_size();
     let picture = RgbImage::new(size.width() as u32, size.height() as u32);
     assert!(session.written(vec![picture.clone()]) == picture);
 }

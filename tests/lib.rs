@@ -60,9 +60,26 @@ pub fn colors(step: &dyn Step, camera: &dyn Camera, width: usize, height: usize)
     colors
 }
 
+/// The kinds of camera, in the order of their names.
+pub const PROJECTIONS: [Projection; 2] = [Projection::Perspective, Projection::Parallel];
+
+/// What makes a step for a shell, by its index in [`STEPS`].
+pub fn make(index: usize) -> Make {
+    Rc::new(move || Box::new(Lesson(step(index))))
+}
+
 /// A step as it starts, to be set up, by its index in [`STEPS`].
 pub fn setup(index: usize) -> Setup {
-    Setup::new(Rc::new(move || step(index)))
+    Setup::new(make(index))
+}
+
+/// The pictures that `desk` shows, of this size.
+pub fn pictures_of(desk: &Desk, size: Size) -> Vec<RgbImage> {
+    let render = |wanted: &Wanted<'_>| {
+        let (step, camera) = (wanted.setup.step(), &*wanted.camera);
+        Frame { step, camera, size, samples: 1 }.render()
+    };
+    desk.pictures().iter().map(render).collect()
 }
 
 /// What `setup` shows.
@@ -231,4 +248,9 @@ pub fn only_line(output: &Output) -> &str {
     let line = text.strip_suffix('\n').expect("a whole line on standard error");
     assert!(!line.contains('\n'), "more than one line on standard error:\n{text}");
     line
+}
+
+/// The language of the handouts beside the English ones.
+pub fn portuguese() -> Language {
+    Language::of_locale("pt-BR")
 }

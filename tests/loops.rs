@@ -71,9 +71,7 @@ impl Step for Loops {
         View::new(Vec3::Z, Vec3::ZERO, 38.0)
     }
 
-    fn controls(&mut self) -> Controls<'_> {
-        Controls::new()
-    }
+    fn controls(&mut self, _: &mut dyn Controls) {}
 
     fn render(&self, _: &dyn Camera, image: &mut Image<'_>) {
         let (width, height) = (image.width(), image.height());

@@ -1,5 +1,7 @@
 //! Switching off what a step adds gives the step before it, to the last bit of every pixel.
 
+use std::rc::Rc;
+
 use lecture::step01_rays::Lesson as Rays;
 use lecture::step02_sphere::Lesson as Sphere;
 use lecture::step03_triangle::Lesson as Triangle;
@@ -61,31 +63,37 @@ fn same<A: Package, B: Package>(later: &[Color], earlier: &[Color], why: &str) {
     );
 }
 
+fn set_up<S: Package + 'static>(step: &S) -> Setup {
+    let step = step.clone();
+    Setup::new(Rc::new(move || Box::new(Lesson(Box::new(step.clone())))))
+}
+
 /// Moves each control of `earlier` to both ends and the middle, the one of that name in `later`
 /// with it, and compares what both show then.
-fn same_whatever_is_set<A: Package, B: Package>(later: &A, earlier: &B, why: &str) {
+fn same_whatever_is_set<A: Package + 'static, B: Package + 'static>(
+    later: &A, earlier: &B, why: &str,
+) {
     for view in views(earlier) {
         same::<A, B>(&colors(later, &view), &colors(earlier, &view), why);
     }
     let view = earlier.view();
-    for place in 0..earlier.clone().controls().len() {
+    let (mut later, mut earlier) = (set_up(later), set_up(earlier));
+    let own = earlier.list().into_iter().filter(|it| it.control.group != "camera");
+    for (place, Setting { name, control, .. }) in own.enumerate() {
+        let is_it = |it: &Setting| (&it.control.name, it.control.of) == (&control.name, control.of);
+        let found = later.list().into_iter().position(|it| is_it(&it));
+        let found = found.unwrap_or_else(|| panic!("{} has no '{name}'", A::NAME));
+        let of_later = later.list()[found].name.clone();
         for fraction in [0.0, 0.5, 1.0] {
-            let (mut later, mut earlier) = (later.clone(), earlier.clone());
-            let (name, of, takes, text) = {
-                let control = &mut earlier.controls()[place];
-                control.set_fraction(fraction);
-                (control.name.clone(), control.of, control.takes(), control.text())
-            };
-            let mut controls = later.controls();
-            let control = controls.iter_mut().find(|other| other.name == name && other.of == of);
-            let control =
-                control.unwrap_or_else(|| panic!("{} has no '{name}' of {of:?}", A::NAME));
-            control.set_fraction(fraction);
-            assert_eq!((control.takes(), control.text()), (takes, text.clone()), "'{name}'");
-            drop(controls);
-            let why = format!("{why}; with {name} = {text} of {of:?}");
-            same::<A, B>(&colors(&later, &view), &colors(&earlier, &view), &why);
+            earlier.set_fraction(&name, fraction);
+            later.set_fraction(&of_later, fraction);
+            let control = earlier.list()[place].control.clone();
+            assert_eq!(later.list()[found].control, control, "'{name}' is the same control");
+            let why = format!("{why}; with {name} = {}", control.text());
+            same::<A, B>(&colors(later.step(), &view), &colors(earlier.step(), &view), &why);
         }
+        earlier.reset_all();
+        later.reset_all();
     }
 }
 

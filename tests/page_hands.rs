@@ -6,6 +6,7 @@ use common::Pixel;
 use lecture::PROGRAMS;
 use serde_json::Value;
 use serde_json::json;
+use show::texts;
 
 use crate::browser::Browser;
 use crate::browser::DRAWN;
@@ -33,7 +34,7 @@ fn a_click_pins_a_pixel_and_its_numbers_are_the_programs() {
     let told = step.explain(&*camera, pixel);
     let shown = browser.text("return $('explanation').textContent");
     for symbol in ["t₁", "n·l", "I/r²", "n·h"] {
-        let value = told.value(symbol).expect("the pixel is on a sphere").to_string();
+        let value = texts(&told.value(symbol).expect("the pixel is on a sphere")).concat();
         // Of the last digit wasm and the processor may think differently.
         let value = &value.trim()[..value.trim().len().min(6)];
         assert!(shown.contains(value), "{symbol} {value} is not in {shown}");

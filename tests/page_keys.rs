@@ -64,7 +64,7 @@ fn each_key_does_what_it_does_in_the_window() {
         browser.wait_for(DRAWN);
         let desk = session.desk();
         let reading = format!("{:?}", desk.reading()).to_lowercase();
-        let address = desk.address(Language::English);
+        let address = desk.address(Language::ENGLISH);
         assert_eq!(
             browser
                 .run("return [state.address, state.reading, state.alone, selected().name || null]"),

@@ -15,21 +15,21 @@ const WIDTH: usize = 240;
 const HEIGHT: usize = 135;
 
 fn snapshot(index: usize, projection: usize) -> PathBuf {
-    let name = format!("{}_{}.png", STEPS[index], View::PROJECTIONS[projection].0);
+    let name = format!("{}_{}.png", STEPS[index], View::PROJECTIONS[projection]);
     Path::new(env!("CARGO_MANIFEST_DIR")).join("pictures").join(name)
 }
 
 fn rendered(index: usize, projection: usize) -> RgbImage {
     let step = step(index);
     let mut view = step.view();
-    view.projection = View::PROJECTIONS[projection].1;
+    view.projection = PROJECTIONS[projection];
     picture(&*step, &view, WIDTH, HEIGHT)
 }
 
 /// The committed pictures that step `index` may show by mistake: those of all other steps, and its
 /// own from the other camera.
 fn mistakes(index: usize, projection: usize) -> Vec<(&'static str, RgbImage)> {
-    let other_camera = (View::PROJECTIONS[1 - projection].0, snapshot(index, 1 - projection));
+    let other_camera = (View::PROJECTIONS[1 - projection], snapshot(index, 1 - projection));
     let others = (0..STEPS.len()).filter(|&other| other != index);
     let others = others.map(|other| (STEPS[other], snapshot(other, projection)));
     let paths = others.chain([other_camera]).filter(|(_, path)| path.exists());

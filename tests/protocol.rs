@@ -8,6 +8,7 @@ use serde_json::Value;
 use serde_json::json;
 use show::Frame;
 use show::Size;
+use show::texts;
 use tests::step;
 
 /// A page that is asked in JSON.
@@ -125,7 +126,7 @@ fn what_lies_over_a_picture_changes_only_it() {
     ] {
         let mut page = Asked::at(&format!("#step07&size=64x36{address}"));
         assert_eq!(page.state()["marked"], marked, "{address}");
-        assert_eq!(page.shown(None, &[now.clone()]) != plain, marked, "{address}");
+        assert_eq!(page.shown(None, std::slice::from_ref(&now)) != plain, marked, "{address}");
         assert!(page.rows(now.clone()) == plain, "{address}");
     }
     // A coarse picture becomes as large as it is shown.
@@ -181,8 +182,7 @@ fn each_symbol_has_the_number_of_what_is_seen() {
     let told = step.explain(&*step.view().camera(960.0 / 540.0), pixel);
     let value = |scope: &Scope, symbol: &str| {
         let line = scope.lines().find(|line| line.symbol() == symbol)?;
-        let texts = line.value.texts();
-        Some(texts.iter().map(|text| text.trim().to_owned()).collect::<Vec<_>>())
+        Some(texts(&line.value).iter().map(|text| text.trim().to_owned()).collect::<Vec<_>>())
     };
     let found = |place: usize, symbol: &str| {
         let values = explained["symbols"][place]["values"].as_array().expect("symbols");
@@ -314,7 +314,7 @@ fn a_figure_is_changed_alone() {
     assert_eq!(first["size"][0], 960);
     let before = page.rows(figure.clone());
     // Its letters lie over its rows.
-    assert!(page.shown(Some("both_roots"), &[figure.clone()]) != before);
+    assert!(page.shown(Some("both_roots"), std::slice::from_ref(&figure)) != before);
     page.ask(json!({"doOn": ["both_roots", {"set": ["radius", "0.5"]}]}));
     assert!(page.rows(figure) != before);
     assert!(its(&mut page)["address"].to_string().contains("radius=0.5"));

@@ -115,7 +115,7 @@ impl RandomScene {
         };
         let (eye, target) = (around(rng, 8.0, 11.0), vector(rng, -0.5, 0.5));
         let mut view = View::new(eye.with_y(eye.y.abs()), target, between(rng, 30.0, 60.0));
-        view.projection = View::PROJECTIONS[rng.usize(..2)].1;
+        view.projection = PROJECTIONS[rng.usize(..2)];
         let (width, height) = [(160, 90), (120, 120), (90, 160)][rng.usize(..3)];
         let size = Size::new(width, height).expect("a size");
         Self { scene, vertices, view, size }

@@ -1,7 +1,5 @@
 //! What a class does, without a display: every key and every action of the mouse.
 
-use std::rc::Rc;
-
 use image::imageops;
 use tests::prelude::*;
 
@@ -12,19 +10,19 @@ fn size(width: usize, height: usize) -> Size {
 }
 
 fn program(index: usize) -> Program {
-    Program::new(STEPS[index], "a concept", size(320, 180), Rc::new(move || step(index)))
+    Program::new(STEPS[index], "a concept", size(320, 180), make(index))
 }
 
 /// A step's session in a window of its picture's size.
 fn session(index: usize) -> Session {
-    Session::new(vec![program(index)], 0, setup(index), size(320, 180), 1)
+    Session::new(Desk::new(vec![program(index)], 0))
 }
 
 /// All steps' session, at the step `index`.
 fn lecture(index: usize) -> Session {
     let told = |index| Program { diff: "+a line\n-another", idea: "an idea", ..program(index) };
     let programs = (0..STEPS.len()).map(told).collect();
-    Session::new(programs, index, setup(index), size(320, 180), 1)
+    Session::new(Desk::new(programs, index))
 }
 
 fn key(session: &mut Session, key: Key) -> Vec<Effect> {
@@ -49,11 +47,7 @@ fn painted(session: &mut Session, window: Size) -> RgbImage {
 
 /// The pictures that `session` wants.
 fn rendered(session: &Session) -> Vec<RgbImage> {
-    let render = |wanted: &Wanted<'_>| {
-        let (step, camera) = (wanted.setup.step(), &*wanted.camera);
-        Frame { step, camera, size: wanted.size, samples: 1 }.render()
-    };
-    session.pictures().iter().map(render).collect()
+    pictures_of(session.desk(), session.shown_size())
 }
 
 fn paint(session: &mut Session, window: Size) -> RgbImage {
@@ -64,9 +58,8 @@ fn paint(session: &mut Session, window: Size) -> RgbImage {
 }
 
 fn text(session: &Session, name: &str) -> String {
-    // Carried to the same step it lists the same.
-    let mut setup = session.setup().carried_to(session.program().make.clone());
-    setup.list().into_iter().find(|setting| setting.name == name).expect("a control").text
+    let mut list = session.desk().setup().list().into_iter();
+    list.find(|setting| setting.name == name).expect("a control").control.text()
 }
 
 fn middle(area: Area) -> (f32, f32) {
@@ -152,12 +145,12 @@ fn one_control_is_reset_or_all() {
     for back in [Key::Backspace, Key::Delete] {
         let mut session = session(1);
         keys(&mut session, &[Key::Right, Key::Down, Key::Right]);
-        assert_eq!(session.setup().settings().len(), 2);
+        assert_eq!(session.desk().setup().settings().len(), 2);
         assert!(key(&mut session, back).contains(&Effect::Redraw));
-        assert_eq!(session.setup().settings().len(), 1);
-        assert!(session.setup().settings()[0].starts_with("radius="));
+        assert_eq!(session.desk().setup().settings().len(), 1);
+        assert!(session.desk().setup().settings()[0].starts_with("radius="));
         key(&mut session, Key::Home);
-        assert_eq!(session.setup().settings(), Vec::<String>::new());
+        assert_eq!(session.desk().setup().settings(), Vec::<String>::new());
     }
 }
 
@@ -169,10 +162,10 @@ fn space_gives_the_picture_the_whole_window() {
     assert!(key(&mut session, Key::Space).contains(&Effect::Redraw));
     assert_eq!(session.picture_area(), Area::new(0.0, 0.0, 320.0, 180.0));
     let window = size(320, 180);
-    assert!(painted(&mut session, window) == picture_of(session.setup(), 320, 180));
+    assert!(painted(&mut session, window) == picture_of(session.desk().setup(), 320, 180));
     // What happens is said there too.
     session.handle(Event::Say("saved".to_owned()));
-    assert!(paint(&mut session, window) != picture_of(session.setup(), 320, 180));
+    assert!(paint(&mut session, window) != picture_of(session.desk().setup(), 320, 180));
     key(&mut session, Key::Space);
     assert_eq!(session.picture_area(), beside);
 }
@@ -180,9 +173,9 @@ fn space_gives_the_picture_the_whole_window() {
 #[test]
 fn a_figure_is_first_shown_alone() {
     let program = Program { is_figure: true, ..program(6) };
-    let session = Session::new(vec![program], 0, setup(6), size(320, 180), 1);
+    let session = Session::new(Desk::new(vec![program], 0));
     assert_eq!(session.picture_area(), Area::new(0.0, 0.0, 320.0, 180.0));
-    assert_eq!(session.command(), "cargo run --example step07_specular");
+    assert_eq!(session.desk().command(), "cargo run --example step07_specular");
 }
 
 #[test]
@@ -191,19 +184,19 @@ fn a_click_pins_and_escape_unpins() {
     let area = session.picture_area();
     let effects = click(&mut session, middle(area));
     let pixel = Pixel { col: 160, row: 90, width: 320, height: 180 };
-    assert_eq!(session.pinned(), Some(pixel));
-    let view = session.setup().view().camera(320.0 / 180.0);
-    let expected: Explanation = session.setup().step().explain(&*view, pixel);
-    assert_eq!(session.explanation(), Some(expected.clone()));
-    assert_eq!(printed(&effects), Some(&*expected.to_string()));
+    assert_eq!(session.desk().pinned(), Some(pixel));
+    let view = session.desk().setup().view().camera(320.0 / 180.0);
+    let expected: Explanation = session.desk().setup().step().explain(&*view, pixel);
+    assert_eq!(session.desk().explanation(), Some(expected.clone()));
+    assert_eq!(printed(&effects), Some(&*written(&expected)));
     assert!(session.note().expect("a note").contains("(160, 90)"));
     // It follows what is changed, and is printed once.
     key(&mut session, Key::Down);
     let effects = key(&mut session, Key::Right);
     assert_eq!(printed(&effects), None);
-    assert!(session.explanation() != Some(expected));
+    assert!(session.desk().explanation() != Some(expected));
     assert!(!key(&mut session, Key::Escape).contains(&Effect::Quit));
-    assert_eq!(session.pinned(), None);
+    assert_eq!(session.desk().pinned(), None);
     assert!(key(&mut session, Key::Escape).contains(&Effect::Quit));
 }
 
@@ -212,11 +205,11 @@ fn a_key_pins_the_pixel_under_the_pointer() {
     for pin in [Key::Enter, Key::Char('P')] {
         let mut session = session(6);
         assert_eq!(printed(&key(&mut session, pin)), None);
-        assert!(session.note().is_some() && session.pinned().is_none());
+        assert!(session.note().is_some() && session.desk().pinned().is_none());
         let (x, y) = middle(session.picture_area());
         session.handle(Event::Move(x, y));
         assert!(printed(&key(&mut session, pin)).is_some());
-        assert_eq!(session.pinned().map(|pixel| (pixel.col, pixel.row)), Some((160, 90)));
+        assert_eq!(session.desk().pinned().map(|pixel| (pixel.col, pixel.row)), Some((160, 90)));
     }
 }
 
@@ -227,7 +220,7 @@ fn the_whole_picture_has_its_shape_and_its_pinned_pixel_in_every_window() {
         if pinned {
             click_middle(&mut session);
         }
-        let pixel = session.pinned();
+        let pixel = session.desk().pinned();
         for (width, height) in
             [(960, 540), (1920, 1080), (700, 1100), (1, 1), (120, 2000), (2000, 30), (5000, 3000)]
         {
@@ -239,7 +232,7 @@ fn the_whole_picture_has_its_shape_and_its_pinned_pixel_in_every_window() {
             if width * 9 == height * 16 {
                 assert!(area.width >= 0.6 * width as f32, "{area:?}");
             }
-            assert_eq!(session.pinned(), pixel);
+            assert_eq!(session.desk().pinned(), pixel);
         }
     }
 }
@@ -262,18 +255,18 @@ fn nothing_lies_over_the_picture() {
 #[test]
 fn a_drag_orbits_and_the_wheel_zooms() {
     let mut session = session(6);
-    let start = session.setup().view().clone();
+    let start = session.desk().setup().view().clone();
     let (x, y) = middle(session.picture_area());
     session.handle(Event::Press(x, y));
     // As long as it is a click.
     assert_eq!(session.handle(Event::Move(x + 1.0, y)), []);
     assert!(session.handle(Event::Move(x - 30.0, y + 20.0)).contains(&Effect::Redraw));
     session.handle(Event::Release(x - 30.0, y + 20.0));
-    let view = session.setup().view().clone();
+    let view = session.desk().setup().view().clone();
     assert!(view.azimuth > start.azimuth && view.elevation > start.elevation);
-    assert_eq!(session.pinned(), None);
+    assert_eq!(session.desk().pinned(), None);
     session.handle(Event::Wheel(2.0));
-    assert!((session.setup().view().distance / view.distance - 0.81).abs() < 1e-4);
+    assert!((session.desk().setup().view().distance / view.distance - 0.81).abs() < 1e-4);
     // Once the button is up nothing moves any more.
     assert_eq!(session.handle(Event::Move(x, y)), []);
 }
@@ -291,7 +284,8 @@ fn a_slider_is_dragged_to_its_ends() {
     // Found as a hand would: by pressing.
     let found = beside(&session).into_iter().any(|(x, y)| {
         session.handle(Event::Press(x, y));
-        let found = session.selected() == Some("radius") && !session.setup().settings().is_empty();
+        let found =
+            session.selected() == Some("radius") && !session.desk().setup().settings().is_empty();
         if !found {
             session.handle(Event::Release(x, y));
         }
@@ -312,7 +306,7 @@ fn a_press_on_the_name_of_a_control_selects_it_and_changes_nothing() {
     let mut session = wide(session(1));
     let is_a_name = |at| {
         click(&mut session, at);
-        let moved = !session.setup().settings().is_empty();
+        let moved = !session.desk().setup().settings().is_empty();
         let selected = session.selected() == Some("center.x");
         if selected {
             key(&mut session, Key::Up);
@@ -331,23 +325,23 @@ fn what_is_left_for_another_window_is_let_go() {
     session.handle(Event::FocusLost);
     assert_eq!(session.handle(Event::Move(x + 50.0, y)), []);
     session.handle(Event::Release(x + 50.0, y));
-    assert_eq!(session.pinned(), None);
+    assert_eq!(session.desk().pinned(), None);
     let mut session = lecture(6);
     key(&mut session, Key::Tab);
     session.handle(Event::FocusLost);
-    assert_eq!(session.pictures()[0].program, 6, "Tab was let go elsewhere");
+    assert_eq!(session.desk().pictures()[0].program, 6, "Tab was let go elsewhere");
 }
 
 #[test]
 fn the_wheel_beside_the_picture_scrolls() {
     let mut session = wide(session(6));
     click_middle(&mut session);
-    let distance = session.setup().view().distance;
+    let distance = session.desk().setup().view().distance;
     let before = paint(&mut session, WINDOW);
     session.handle(Event::Move(900.0, 200.0));
     session.handle(Event::Wheel(-3.0));
     let after = paint(&mut session, WINDOW);
-    assert_eq!(session.setup().view().distance, distance);
+    assert_eq!(session.desk().setup().view().distance, distance);
     let bar = |image: &RgbImage| {
         (0..540).filter(|row| image.get_pixel(956, *row).0 == [128, 140, 160]).min()
     };
@@ -358,7 +352,7 @@ fn the_wheel_beside_the_picture_scrolls() {
     let mut unpinned = wide(crate::session(6));
     unpinned.handle(Event::Move(900.0, 200.0));
     unpinned.handle(Event::Wheel(-3.0));
-    assert_eq!(unpinned.setup().view().distance, distance);
+    assert_eq!(unpinned.desk().setup().view().distance, distance);
 }
 
 #[test]
@@ -454,37 +448,37 @@ fn vectors_are_shown_and_hidden() {
 #[test]
 fn the_command_gives_the_same_picture() {
     let mut session = session(6);
-    assert_eq!(session.command(), "cargo run -p step07_specular");
+    assert_eq!(session.desk().command(), "cargo run -p step07_specular");
     let (x, y) = middle(session.picture_area());
     drag(&mut session, (x, y), (x + 33.0, y - 7.0));
     keys(&mut session, &[Key::Right, Key::Down, Key::Right]);
     let effects = key(&mut session, Key::Char('C'));
-    let command = session.command();
+    let command = session.desk().command();
     assert_eq!(printed(&effects), Some(&*format!("{command}\n")));
     assert_eq!(session.note(), Some(&*command));
-    let settings = session.setup().settings().join(" --set ");
+    let settings = session.desk().setup().settings().join(" --set ");
     assert_eq!(command, format!("cargo run -p step07_specular -- --set {settings}"));
 }
 
 #[test]
 fn from_outside_the_onlooker_moves() {
     let mut session = session(6);
-    let view = session.setup().view().clone();
+    let view = session.desk().setup().view().clone();
     assert!(key(&mut session, Key::Char('O')).contains(&Effect::Redraw));
-    let onlooker = session.onlooker().expect("outside").clone();
+    let onlooker = session.desk().onlooker().expect("outside").clone();
     // In the sky, where nothing is to be taken hold of.
     let area = session.picture_area();
     let (x, y) = (area.left + 3.0, area.top + 3.0);
     drag(&mut session, (x, y), (x + 30.0, y));
     session.handle(Event::Wheel(1.0));
-    assert_eq!(*session.setup().view(), view);
-    let moved = session.onlooker().expect("outside");
+    assert_eq!(*session.desk().setup().view(), view);
+    let moved = session.desk().onlooker().expect("outside");
     assert_ne!(moved.azimuth, onlooker.azimuth);
     assert!(moved.distance < onlooker.distance);
     click(&mut session, (x, y));
-    assert_eq!(session.pinned(), None);
+    assert_eq!(session.desk().pinned(), None);
     key(&mut session, Key::Char('O'));
-    assert!(session.onlooker().is_none());
+    assert!(session.desk().onlooker().is_none());
 }
 
 #[test]
@@ -492,17 +486,17 @@ fn a_light_is_dragged_from_outside() {
     let mut session = session(6);
     key(&mut session, Key::Char('O'));
     let area = session.picture_area();
-    let before = session.setup().settings();
+    let before = session.desk().setup().settings();
     // Somewhere in the picture is a point to be taken hold of.
     let moved = (0..area.height as usize).step_by(4).any(|row| {
         (0..area.width as usize).step_by(4).any(|col| {
             let (x, y) = (area.left + col as f32, area.top + row as f32);
             drag(&mut session, (x, y), (x + 6.0, y));
-            session.setup().settings() != before
+            session.desk().setup().settings() != before
         })
     });
     assert!(moved);
-    assert!(session.setup().settings().iter().any(|setting| setting.starts_with("light.")));
+    assert!(session.desk().setup().settings().iter().any(|setting| setting.contains(".light.")));
 }
 
 #[test]
@@ -512,34 +506,43 @@ fn keys_go_from_step_to_step() {
     session.handle(Event::Wheel(1.0));
     click_middle(&mut session);
     key(&mut session, Key::Char('+'));
-    let (distance, pinned) = (session.setup().view().distance, session.pinned());
+    let (distance, pinned) = (session.desk().setup().view().distance, session.desk().pinned());
     assert!(key(&mut session, Key::PageDown).contains(&Effect::Redraw));
-    assert_eq!(session.program().name, STEPS[last]);
-    assert_eq!((session.setup().view().distance, session.pinned()), (distance, pinned));
+    assert_eq!(session.desk().program().name, STEPS[last]);
+    assert_eq!(
+        (session.desk().setup().view().distance, session.desk().pinned()),
+        (distance, pinned)
+    );
     key(&mut session, Key::PageDown);
-    assert_eq!(session.program().name, STEPS[last]);
+    assert_eq!(session.desk().program().name, STEPS[last]);
     key(&mut session, Key::PageUp);
-    assert_eq!(session.program().name, STEPS[last - 1]);
+    assert_eq!(session.desk().program().name, STEPS[last - 1]);
     for (digit, step) in ('1'..='9').zip(STEPS) {
         key(&mut session, Key::Char(digit));
-        assert_eq!(session.program().name, step);
+        assert_eq!(session.desk().program().name, step);
     }
     for key_ in [Key::Char('0'), Key::F(9), Key::Char('Z')] {
         key(&mut session, key_);
-        assert_eq!(session.program().name, STEPS[last]);
+        assert_eq!(session.desk().program().name, STEPS[last]);
     }
     let mut alone = crate::session(3);
     assert!(!key(&mut alone, Key::PageUp).contains(&Effect::Redraw));
-    assert_eq!(alone.program().name, STEPS[3]);
+    assert_eq!(alone.desk().program().name, STEPS[3]);
 }
 
 #[test]
 fn the_step_before_is_seen_as_long_as_a_key_is_held() {
     let mut session = lecture(6);
     key(&mut session, Key::Tab);
-    assert_eq!(session.pictures().iter().map(|wanted| wanted.program).collect::<Vec<_>>(), [5]);
+    assert_eq!(
+        session.desk().pictures().iter().map(|wanted| wanted.program).collect::<Vec<_>>(),
+        [5]
+    );
     session.handle(Event::KeyUp(Key::Tab));
-    assert_eq!(session.pictures().iter().map(|wanted| wanted.program).collect::<Vec<_>>(), [6]);
+    assert_eq!(
+        session.desk().pictures().iter().map(|wanted| wanted.program).collect::<Vec<_>>(),
+        [6]
+    );
 }
 
 #[test]
@@ -548,7 +551,7 @@ fn a_line_divides_the_step_before_from_this_one() {
     key(&mut session, Key::Char('D'));
     let (x, y) = middle(session.picture_area());
     drag(&mut session, (x, y), (x + 100.0, y));
-    assert_eq!(session.pictures().len(), 2);
+    assert_eq!(session.desk().pictures().len(), 2);
     let image = paint(&mut session, WINDOW);
     let sides = rendered(&session);
     assert!(sides[0] != sides[1]);
@@ -561,14 +564,14 @@ fn a_line_divides_the_step_before_from_this_one() {
         assert_eq!(image.get_pixel(col, row), expected, "{col} {row}");
     }
     key(&mut session, Key::Char('D'));
-    assert_eq!(session.pictures().len(), 1);
+    assert_eq!(session.desk().pictures().len(), 1);
     // The first step has none before it, and a step's own WINDOW has no other.
     keys(&mut session, &['1', 'D'].map(Key::Char));
-    assert_eq!(session.pictures().len(), 1);
+    assert_eq!(session.desk().pictures().len(), 1);
     painted(&mut session, WINDOW);
     let mut alone = crate::session(6);
     key(&mut alone, Key::Char('X'));
-    assert_eq!(alone.pictures().len(), 1);
+    assert_eq!(alone.desk().pictures().len(), 1);
 }
 
 #[test]
@@ -657,7 +660,7 @@ fn symbols_can_be_read_beside_the_picture() {
     for index in 0..STEPS.len() {
         let mut session = session(index);
         click_middle(&mut session);
-        let explanation = session.explanation().expect("a pixel is pinned");
+        let explanation = session.desk().explanation().expect("a pixel is pinned");
         for ink in explanation.lines().filter_map(|line| symbol_ink(line.symbol())) {
             seen += 1;
             assert!(ink.contrast(background) >= 4.5, "{ink:?}");

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use lecture::step07_specular::Lesson;
+use lecture::step07_specular::Lesson as Specular;
 use lecture::step07_specular::scene::Object;
 use lecture::step07_specular::surface::Surface;
 use proptest::collection::vec;
@@ -71,14 +71,19 @@ proptest! {
     #![proptest_config(config(400))]
 
     #[test]
-    fn its_settings_give_the_same_picture(index in 0..STEPS.len(), acts in vec(act(), 0..12)) {
+    fn its_settings_give_the_same_picture_in_any_order(
+        index in 0..STEPS.len(), acts in vec(act(), 0..12),
+    ) {
         let mut found = setup(index);
         acts.iter().for_each(|act| act_on(&mut found, act));
-        let settings = found.settings();
-        let mut again = set_to(index, &settings);
-        prop_assert_eq!(seen(&again), seen(&found), "{:?}", settings);
-        prop_assert_eq!(again.list(), found.list(), "{:?}", settings);
-        prop_assert_eq!(again.points(), found.points(), "{:?}", settings);
+        let mut settings = found.settings();
+        for _ in 0..2 {
+            let again = set_to(index, &settings);
+            prop_assert_eq!(seen(&again), seen(&found), "{:?}", settings);
+            prop_assert_eq!(again.list(), found.list(), "{:?}", settings);
+            prop_assert_eq!(again.points(), found.points(), "{:?}", settings);
+            settings.reverse();
+        }
         found.reset_all();
         prop_assert_eq!(found.settings(), Vec::<String>::new());
         prop_assert_eq!(seen(&found), seen(&setup(index)), "reset");
@@ -91,136 +96,156 @@ proptest! {
     ) {
         let mut first = setup(from);
         acts.iter().for_each(|act| act_on(&mut first, act));
-        let mut there = first.carried_to(Rc::new(move || tests::step(to)));
+        let there = first.carried_to(make(to));
         let settings = there.settings();
         prop_assert_eq!(seen(&set_to(to, &settings)), seen(&there), "{:?}", settings);
-        let known: Vec<Setting> = there.list();
-        // Step 05 has but one light, and shows that.
-        let of_light = |name: &str| name.starts_with("light") || name == "I";
-        let changed = first.list().into_iter().filter(|setting| setting.changed);
-        let changed = changed.filter(|setting| to != 4 || !of_light(&setting.name));
-        for setting in changed {
-            let same = known.iter().find(|known| {
-                (&known.name, &known.takes, known.group)
-                    == (&setting.name, &setting.takes, setting.group)
-            });
-            if let Some(same) = same {
-                prop_assert_eq!(&same.text, &setting.text, "{} is kept", setting.name);
+        let known = there.list();
+        for Setting { control, .. } in first.list().into_iter().filter(|setting| setting.changed) {
+            let is_it = |other: &&Setting| {
+                let other = &other.control;
+                (&other.name, other.of, &other.kind) == (&control.name, control.of, &control.kind)
+            };
+            if let Some(same) = known.iter().find(is_it) {
+                prop_assert_eq!(same.control.value, control.value, "{} is kept", control.name);
             }
         }
-        let back = there.carried_to(Rc::new(move || tests::step(from)));
+        let back = there.carried_to(make(from));
         prop_assert_eq!(seen(&back), seen(&first), "there and back nothing is lost");
         prop_assert_eq!(back.settings(), first.settings());
     }
 }
 
-fn called(setup: &mut Setup, name: &str) -> Setting {
-    let found = setup.list().into_iter().find(|setting| setting.name == name);
-    found.unwrap_or_else(|| panic!("there is no control '{name}'"))
-}
-
 #[test]
-fn one_control_is_put_back_and_no_other() {
+fn a_setting_says_whose_it_is_or_means_the_one_that_was_chosen() {
     let mut setup = setup(6);
-    for (name, value) in [("radius", "0.5"), ("sphere", "green"), ("radius", "0.7"), ("k_s", "1")] {
-        setup.set(name, value).expect("it takes that");
+    for (name, value) in [
+        ("radius", "0.5"),
+        ("sphere", "green"),
+        ("radius", "0.7"),
+        ("blue.k_s", "1"),
+        ("red sphere.k_s", "0"),
+        ("light", "fill"),
+        ("I", "3"),
+        ("k_s", "0.9"),
+    ] {
+        setup.set(name, value).unwrap_or_else(|error| panic!("{error}"));
     }
-    assert!(called(&mut setup, "radius").changed, "0.7 is not the green sphere's radius");
+    let all = ["red.radius=0.5", "red.k_s=0", "green.radius=0.7", "green.k_s=0.9", "blue.k_s=1"];
+    assert_eq!(setup.settings()[..5], all, "what has no owner means the first, or the chosen one");
+    assert_eq!(setup.settings()[5..], ["fill.I=3"]);
     setup.reset("radius");
-    assert!(!called(&mut setup, "radius").changed, "it was put back");
-    let settings = ["radius=0.5", "sphere=green", "k_s=1"];
-    assert_eq!(setup.settings(), settings, "red's radius and green's k_s stay");
-    setup.reset("sphere");
-    assert_eq!(called(&mut setup, "radius").text, "0.5", "the red sphere is shown again");
     setup.reset("no such control");
-    assert_eq!(setup.settings(), ["radius=0.5", "sphere=green", "k_s=1", "sphere=red"]);
-}
-
-#[test]
-fn a_value_put_back_by_hand_is_no_change() {
-    let mut setup = setup(6);
-    for value in ["0.5", "1"] {
-        setup.set("radius", value).expect("it takes that");
-        setup.set("I_a", value).expect("it takes that");
-    }
+    setup.reset("blue.k_s");
+    setup.reset("fill.I");
     assert_eq!(
         setup.settings(),
-        Vec::<String>::new(),
-        "1 is the radius and the I_a that it starts with"
+        ["red.radius=0.5", "red.k_s=0", "green.k_s=0.9"],
+        "no other is put back"
     );
-    setup.orbit(30.0, 5.0);
-    assert_ne!(setup.settings(), Vec::<String>::new(), "the view was moved");
+    let said = |error: Result<(), SettingError>| error.expect_err("it is refused").to_string();
+    assert!(said(setup.set("sphere", "gren")).contains("red | green | blue"));
+    assert!(said(setup.set("green.fov", "9")).contains("green.radius"), "only what it has");
+    // The chosen one stays when another step is shown; a value put back by hand is no change.
+    let mut other = setup.carried_to(make(3));
+    other.set("radius", "0.6").expect("it takes that");
+    assert_eq!(other.settings(), ["red.radius=0.5"], "0.6 is the green sphere's");
+    other.orbit(30.0, 5.0);
+    assert_ne!(other.settings(), ["red.radius=0.5"], "the view was moved");
 }
 
 #[test]
-fn a_choice_stands_before_the_controls_of_its_objects() {
-    for (index, name) in STEPS.iter().enumerate() {
-        let list = setup(index).list();
-        let place = |symbol: &str| list.iter().position(|setting| setting.name == symbol);
-        for (kind, its, from) in [("sphere", "radius", 3), ("light", "I", 5)] {
-            let choice = place(kind);
-            assert_eq!(choice.is_some(), index >= from, "{}: a choice of {kind}", name);
-            assert!(choice.is_none() || choice < place(its), "{}: {kind}", name);
-        }
-        let groups: Vec<&str> =
-            list.chunk_by(|a, b| a.group == b.group).map(|part| part[0].group).collect();
-        assert_eq!(groups.last(), Some(&"camera"), "{name}: the camera's come last");
-        let pieces = |group| groups.iter().filter(|other| *other == group).count();
-        assert!(groups.iter().all(|group| pieces(group) == 1), "{name}: {groups:?}");
+fn a_value_out_of_range_is_left_to_the_step_that_takes_it() {
+    let changed = |most: f32| -> Make {
+        Rc::new(move || Box::new(show::Lesson(Box::new(Ranged { most, value: 0.0 }))))
+    };
+    let mut wide = Setup::new(changed(9.0));
+    wide.set("value", "7").expect("it takes that");
+    let narrow = wide.carried_to(changed(5.0));
+    assert_eq!(narrow.settings(), Vec::<String>::new(), "5 is the most");
+    assert_eq!(narrow.carried_to(changed(9.0)).settings(), ["value=7"], "and yet it is kept");
+}
+
+/// A step with one number up to the most.
+struct Ranged {
+    most: f32,
+    value: f32,
+}
+
+impl Step for Ranged {
+    fn view(&self) -> View {
+        step(0).view()
+    }
+
+    fn controls(&mut self, to: &mut dyn Controls) {
+        to.number("value", 0.0..=self.most, &mut self.value);
+    }
+
+    fn render(&self, _: &dyn Camera, _: &mut Image<'_>) {}
+
+    fn tell(&self, _: &dyn Camera, _: Pixel, _: &Recorder) -> Color {
+        Color::ZERO
     }
 }
 
 #[test]
-fn a_point_is_moved_as_far_as_it_goes_and_its_object_chosen() {
+fn a_point_is_moved_as_far_as_it_goes() {
     let mut setup = setup(6);
-    let points = setup.points();
-    let blue = points.iter().find(|point| point.of == Some(("sphere", "blue sphere")));
-    let blue = blue.expect("the blue sphere has a centre").clone();
-    assert_eq!((blue.name, blue.position), ("center", Vec3::new(1.05, 0.5, 1.5)), "where it is");
-    setup.move_point(&blue, Vec3::new(-1.0, 99.0, f32::NAN));
-    assert_eq!(called(&mut setup, "sphere").text, "blue", "whose point was moved is shown");
-    let moved = setup.points().into_iter().find(|point| point.of == blue.of);
+    let blue = |setup: &Setup| {
+        let points = setup.points().into_iter();
+        points.filter(|point| point.of == Some(("sphere", "blue sphere"))).collect::<Vec<_>>()
+    };
+    let center = blue(&setup).remove(0);
+    assert_eq!(
+        (center.name, center.position),
+        ("center", Vec3::new(1.05, 0.5, 1.5)),
+        "where it is"
+    );
+    setup.move_point(&center, Vec3::new(-1.0, 99.0, f32::NAN));
     let why = "up to the end of its range, and what is no number is left";
-    assert_eq!(moved.map(|point| point.position), Some(Vec3::new(-1.0, 3.0, 1.5)), "{why}");
+    assert_eq!(blue(&setup)[0].position, Vec3::new(-1.0, 3.0, 1.5), "{why}");
+    assert_eq!(setup.settings(), ["blue.center.x=-1", "blue.center.y=3"]);
+    let owners: Vec<_> = setup.points().iter().map(|point| (point.name, point.of)).collect();
+    let sphere = |which| ("center", Some(("sphere", which)));
+    let light = |which| ("light", Some(("light", which)));
+    let spheres = ["red sphere", "green sphere", "blue sphere"].map(sphere);
+    assert_eq!(owners[..3], spheres);
+    assert_eq!(owners[3..], ["key light", "fill light"].map(light));
 }
 
 /// The last step with its scene changed, as a student does.
-fn changed(change: impl Fn(&mut Lesson) + 'static) -> Setup {
+fn changed(change: impl Fn(&mut Specular) + 'static) -> Setup {
     Setup::new(Rc::new(move || {
-        let mut lesson = Lesson::default();
+        let mut lesson = Specular::default();
         change(&mut lesson);
-        Box::new(lesson)
+        Box::new(Lesson(Box::new(lesson)))
     }))
 }
 
 #[test]
-fn a_fourth_sphere_and_a_third_light_are_among_the_choices() {
-    let mut setup = changed(|Lesson { scene }| {
+fn a_fourth_sphere_and_a_third_light_have_names_of_their_own() {
+    let mut setup = changed(|Specular { scene }| {
         let red = scene.objects[0].clone();
         let surface = Surface::Sphere(Ball { center: Vec3::new(2.0, 2.0, 2.0), radius: 0.3 });
         scene.objects.push(Object { name: "red ball", surface, ..red });
         let position = Vec3::new(0.0, 9.0, 0.0);
         scene.lights.push(Light { name: "top light", position, ..scene.lights[0] });
     });
-    let options = |setup: &mut Setup, name: &str| called(setup, name).options;
-    let spheres = ["red sphere", "green sphere", "blue sphere", "red ball"];
-    assert_eq!(options(&mut setup, "sphere"), spheres, "the new one comes last");
-    assert_eq!(options(&mut setup, "light"), ["key light", "fill light", "top light"]);
     let before = seen(&setup);
+    let error = setup.set("sphere", "orange").expect_err("there is none").to_string();
     // Two of them are red: their first word does not tell them apart.
-    assert_eq!(called(&mut setup, "sphere").takes, "red sphere | green | blue | red ball");
+    assert!(error.ends_with("red sphere | green | blue | red ball"), "{error}");
     setup.set("sphere", "red ball").expect("it is there");
     setup.set("radius", "1.5").expect("it takes that");
-    assert_eq!(setup.settings(), ["sphere=red ball", "radius=1.5"]);
+    setup.set("top.I", "1").expect("it is there");
+    assert_eq!(setup.settings(), ["red ball.radius=1.5", "top.I=1"]);
     assert_ne!(seen(&setup), before, "the fourth sphere has grown");
-    setup.set_fraction("sphere", 0.6);
-    assert_eq!(called(&mut setup, "sphere").text, "blue", "the nearest of four, not the first");
+    assert_eq!(setup.set("red.radius", "1").is_err(), true, "which of them?");
 }
 
 #[test]
 fn with_nothing_left_nothing_panics() {
     let without = |objects: bool, lights: bool| {
-        changed(move |Lesson { scene }| {
+        changed(move |Specular { scene }| {
             scene.objects.retain(|_| !objects);
             scene.lights.retain(|_| !lights);
         })
@@ -239,12 +264,11 @@ fn with_nothing_left_nothing_panics() {
         assert!(told.color.is_finite(), "it is explained");
     }
     let mut setup = without(true, true);
-    let is_choice = |setting: &Setting| ["sphere", "light"].contains(&&*setting.name);
-    assert!(!setup.list().iter().any(is_choice), "there is nothing to choose from");
-    assert!(setup.set("sphere", "red").is_err(), "nor to set");
+    assert!(setup.set("sphere", "red").is_err(), "there is nothing to choose from");
     let mut one = self::setup(4);
-    assert!(one.list().iter().all(|setting| setting.name != "light"), "one light is no choice");
-    assert_eq!(one.set("light", "key"), Ok(()), "and yet it can be named");
+    assert_eq!(one.set("light", "key"), Ok(()), "one light can be named");
+    assert_eq!(one.set("key.I", "3"), Ok(()), "and is told by its name or without");
+    assert_eq!(one.settings(), ["I=3"]);
     let background = Color::new(0.03, 0.05, 0.09).to_array().map(f32::to_bits);
     assert!(seen(&setup).iter().all(|color| *color == background), "all is background");
 }

@@ -1,6 +1,7 @@
 //! What stands after the = of each line, computed from the lines above it.
 
 use std::collections::HashMap;
+use std::marker::PhantomData;
 use std::mem;
 
 use common::Line;
@@ -33,27 +34,25 @@ const TRIANGLES: [[[f32; 3]; 3]; 6] = [
 ];
 
 /// A step with controls moved by chance, and where they stand, by name: of which object what.
-pub(crate) struct Moved<S> {
-    pub(crate) step: S,
-    pub(crate) view: View,
+pub(crate) struct Moved {
+    pub(crate) setup: Setup,
     values: HashMap<String, Vec<(&'static str, String)>>,
 }
 
-impl<S: Package> Moved<S> {
-    pub(crate) fn new(rng: &mut Rng) -> Self {
-        let (mut step, mut values) = (S::default(), HashMap::<_, Vec<_>>::new());
-        let mut view = step.view();
-        for controls in [step.controls(), view.controls()] {
-            for mut control in controls {
-                if rng.usize(..3) == 0 {
-                    control.set_fraction(rng.f32());
-                }
-                let of = control.of.map_or("", |(_, which)| which);
-                let name = control.axis.map_or(control.name.as_str(), |(point, _)| point);
-                values.entry(name.to_owned()).or_default().push((of, control.exact()));
+impl Moved {
+    pub(crate) fn new(mut setup: Setup, rng: &mut Rng) -> Self {
+        for setting in setup.list() {
+            if rng.usize(..3) == 0 {
+                setup.set_fraction(&setting.name, rng.f32());
             }
         }
-        Self { step, view, values }
+        let mut values = HashMap::<_, Vec<_>>::new();
+        for Setting { control, .. } in setup.list() {
+            let of = control.of.map_or("", |(_, which)| which);
+            let name = control.axis.map_or(control.name.as_str(), |(point, _)| point);
+            values.entry(name.to_owned()).or_default().push((of, control.exact()));
+        }
+        Self { setup, values }
     }
 }
 
@@ -65,7 +64,7 @@ fn quantity(value: impl Into<Value>, shown: bool) -> Option<Quantity> {
         Value::Number(number) => [number; 3],
         Value::Vector(v) => v.to_array(),
     };
-    let texts = if shown { value.texts() } else { Vec::new() };
+    let texts = if shown { texts(&value) } else { Vec::new() };
     let largest = numbers.iter().fold(0.0, |largest: f32, number| largest.max(number.abs()));
     let part = |axis: usize| {
         let exact = Number::exact(numbers[axis].into());
@@ -91,7 +90,8 @@ struct Told {
 
 /// What was told before a line.
 pub(crate) struct Sheet<'a, S> {
-    moved: &'a Moved<S>,
+    step: PhantomData<S>,
+    moved: &'a Moved,
     explanation: &'a Explanation,
     shown: bool,
     told: Vec<Told>,
@@ -105,9 +105,10 @@ pub(crate) struct Sheet<'a, S> {
 
 impl<'a, S: Package> Sheet<'a, S> {
     /// Computes all lines of `explanation` anew, from the digits `shown` or from the numbers.
-    pub(crate) fn check(moved: &'a Moved<S>, explanation: &'a Explanation, ray: &Ray, shown: bool) {
+    pub(crate) fn check(moved: &'a Moved, explanation: &'a Explanation, ray: &Ray, shown: bool) {
         let (told, closest, scope) = (Vec::new(), None, &explanation.told);
-        let mut sheet = Self { moved, explanation, shown, told, closest, scope, object: "" };
+        let mut sheet =
+            Self { step: PhantomData, moved, explanation, shown, told, closest, scope, object: "" };
         let Pixel { col, row, width, height } = explanation.pixel;
         for (name, count) in [("col", col), ("row", row), ("width", width), ("height", height)] {
             sheet.tell(name, Quantity::Number(Number::exact(count as f64)));
@@ -249,7 +250,10 @@ impl<'a, S: Package> Sheet<'a, S> {
     fn fail(&self, equation: &str, why: &str) -> ! {
         let by = if self.shown { "digits" } else { "numbers" };
         let (step, name) = (S::NAME, self.scope.name);
-        panic!("{step}: '{equation}' of '{name}': {why}, by the {by} above:\n{}", self.explanation)
+        panic!(
+            "{step}: '{equation}' of '{name}': {why}, by the {by} above:\n{}",
+            written(self.explanation)
+        )
     }
 
     /// Holds what was `found` in `line` to what `law` makes it.
@@ -324,7 +328,7 @@ impl<'a, S: Package> Sheet<'a, S> {
         };
         // Of digits, zero may be shown for what is just below it.
         let (step, outcome, name) = (S::NAME, scope.outcome, scope.name);
-        let told = self.explanation;
+        let told = written(self.explanation);
         assert!(is_so || self.shown, "{step}: {outcome:?} of '{name}' is not so:\n{told}");
     }
 

@@ -157,10 +157,10 @@ fn numbers_are_shown_in_digits_that_say_something() {
         (f32::INFINITY, "inf"),
         (f32::NAN, "NaN"),
     ] {
-        let texts = Value::Number(number).texts();
+        let texts = texts(&Value::Number(number));
         assert_eq!(texts, [format!("{}{shown}", if shown.starts_with('-') { "" } else { " " })]);
     }
-    let texts = Value::Vector(Vec3::new(1.0, -1e-9, 2e-5)).texts();
+    let texts = texts(&Value::Vector(Vec3::new(1.0, -1e-9, 2e-5)));
     assert_eq!(texts, [" 1", " 0", " 0.00002"], "what is too small to see is 0, without a sign");
 }
 
@@ -204,9 +204,7 @@ impl Step for Mirrors {
         step(6).view()
     }
 
-    fn controls(&mut self) -> Controls<'_> {
-        Controls::new()
-    }
+    fn controls(&mut self, _: &mut dyn Controls) {}
 
     fn render(&self, camera: &dyn Camera, image: &mut Image<'_>) {
         render(camera, image, |ray| self.trace(ray, self.bounces, &Silent));
@@ -261,17 +259,28 @@ fn hold_illumination(scope: &Scope, told: &Explanation) -> (usize, Color) {
         .iter()
         .map(|share| match share {
             Part::Line(line) => (line.equation, vector(line.value)),
-            Part::Scope(other) => panic!("{} within a sum:\n{told}", other.name),
+            Part::Scope(other) => panic!("{} within a sum:\n{}", other.name, written(told)),
         })
         .collect();
-    assert_eq!(shares, terms, "a sum adds its own terms, each once:\n{told}");
-    let Part::Line(total) = total else { panic!("the total comes last:\n{told}") };
+    assert_eq!(shares, terms, "a sum adds its own terms, each once:\n{}", written(told));
+    let Part::Line(total) = total else { panic!("the total comes last:\n{}", written(told)) };
     let added = terms.iter().fold(Color::ZERO, |sum, (_, light)| sum + *light);
-    assert_eq!(vector(total.value), added, "{} is the sum of its terms:\n{told}", total.equation);
+    assert_eq!(
+        vector(total.value),
+        added,
+        "{} is the sum of its terms:\n{}",
+        total.equation,
+        written(told)
+    );
     let mirror = terms.iter().find(|(name, _)| *name == "L_m").map(|(_, light)| *light);
-    assert_eq!(mirror, mirrored.map(|seen| K_M * seen), "L_m is what is seen there:\n{told}");
+    assert_eq!(
+        mirror,
+        mirrored.map(|seen| K_M * seen),
+        "L_m is what is seen there:\n{}",
+        written(told)
+    );
     let dark = terms.iter().find(|(_, light)| light.cmplt(Color::ZERO).any());
-    assert_eq!(dark, None, "no light is negative:\n{told}");
+    assert_eq!(dark, None, "no light is negative:\n{}", written(told));
     (below + 1, added)
 }
 
@@ -285,10 +294,10 @@ fn a_mirror_that_traces_again_sums_each_ray_by_itself() {
     for (index, drawn) in drawn.into_iter().enumerate() {
         let pixel = Pixel { col: index % width, row: index / width, width, height };
         let told = step.explain(&*camera, pixel);
-        assert_eq!(told.color, drawn, "what is told is what is drawn:\n{told}");
+        assert_eq!(told.color, drawn, "what is told is what is drawn:\n{}", written(&told));
         let first = told.scope("illumination").expect("something is seen");
         let (rays, seen) = hold_illumination(first, &told);
-        assert_eq!(seen, drawn, "the first ray's light is the pixel's:\n{told}");
+        assert_eq!(seen, drawn, "the first ray's light is the pixel's:\n{}", written(&told));
         counted[rays] += 1;
         nests(&told);
     }
@@ -297,7 +306,7 @@ fn a_mirror_that_traces_again_sums_each_ray_by_itself() {
 
 /// What `--pixel` prints begins each thing two columns deeper than what it is within.
 fn nests(told: &Explanation) {
-    let text = told.to_string();
+    let text = written(told);
     let begin = |line: &str| line.len() - line.trim_start().len();
     for name in ["intersection", "illumination", "sum"] {
         let found: Vec<usize> =

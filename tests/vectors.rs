@@ -17,7 +17,7 @@ fn views() -> impl Strategy<Value = View> {
     (numbers, any::<bool>()).prop_map(|(numbers, parallel)| {
         let mut view = step(6).view();
         (view.azimuth, view.elevation, view.distance, view.field_of_view) = numbers;
-        view.projection = View::PROJECTIONS[usize::from(parallel)].1;
+        view.projection = PROJECTIONS[usize::from(parallel)];
         view
     })
 }
@@ -345,7 +345,7 @@ fn survives(step: &dyn Step, handles: &[Handle]) {
         Area::new(20.0, 10.0, 1.0, 1.0),
         Area::new(20.0, 10.0, 0.0, 0.0),
     ];
-    for (_, projection) in View::PROJECTIONS {
+    for projection in PROJECTIONS {
         for distance in [step.view().distance, 0.1, 100.0] {
             let mut view = step.view();
             (view.projection, view.distance) = (projection, distance);
@@ -447,7 +447,7 @@ fn drawn(setup: &mut Setup, pinned: (f32, f32), outside: bool) -> RgbImage {
 fn they_are_the_committed_pictures() {
     let mut wrong = Vec::new();
     for (index, pinned) in PINNED.into_iter().enumerate() {
-        for (projection, _) in View::PROJECTIONS {
+        for projection in View::PROJECTIONS {
             for (kind, outside) in [("pinned", false), ("outside", true)] {
                 let mut setup = setup(index);
                 setup.set("camera", projection).expect("a kind of camera");

@@ -205,7 +205,7 @@ fn show(
 ) -> Result<Vec<u8>, String> {
     let (width, height) = (size.width() as u32, size.height() as u32);
     let area = Area::new(0.0, 0.0, width as f32, height as f32);
-    let mut picture = show::composed(desk, pictures);
+    let mut picture = show::compared(desk, pictures);
     if picture.dimensions() != (width, height) {
         let mut larger = RgbImage::new(width, height);
         Canvas::new(&mut larger).picture(&picture, area);
@@ -213,12 +213,8 @@ fn show(
     }
     let setup = desk.setup();
     setup.draw_over(&*setup.view().camera(size.aspect()), &mut picture);
-    show::draw_marks(
-        desk,
-        &mut Canvas::new(&mut picture),
-        area,
-        text_size.clamp(1.0, area.height.max(1.0)),
-    );
+    let mut canvas = Canvas::new(&mut picture);
+    show::draw_marks(desk, &mut canvas, area, text_size.clamp(1.0, area.height.max(1.0)));
     let mut rgba = vec![255; 4 * size.width() * size.height()];
     for (to, from) in rgba.chunks_exact_mut(4).zip(picture.chunks_exact(3)) {
         to[..3].copy_from_slice(from);

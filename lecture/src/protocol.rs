@@ -5,6 +5,7 @@ use serde::Serialize;
 use show::Act;
 use show::Handle;
 use show::Key;
+use show::Language;
 
 /// Something that a browser asks of the steps' program.
 #[derive(Deserialize)]
@@ -78,7 +79,7 @@ impl What {
             Self::Unpin => Act::Unpin,
             Self::Step(number) => Act::Step(number),
             Self::DivideAt(part) => Act::DivideAt(part),
-            Self::Language(locale) => Act::Speak(show::Language::of_locale(&locale)),
+            Self::Language(locale) => Act::Speak(Language::of_locale(&locale)),
             Self::Open(address) => Act::Open(address),
         })
     }

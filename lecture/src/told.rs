@@ -8,6 +8,7 @@ use common::Scope;
 use common::Value;
 use show::encode;
 use show::symbol_ink;
+use show::texts;
 use show::translated;
 
 use crate::protocol::Explained;
@@ -21,7 +22,7 @@ pub(crate) fn explained(explanation: &Explanation) -> Explained {
 }
 
 fn trimmed(value: &Value) -> Vec<String> {
-    show::texts(value).iter().map(|text| text.trim().to_owned()).collect()
+    texts(value).iter().map(|text| text.trim().to_owned()).collect()
 }
 
 fn parts(scope: &Scope) -> Vec<Part> {
@@ -40,7 +41,7 @@ fn parts(scope: &Scope) -> Vec<Part> {
                     format!("{}: {}", translated(why), translated(condition))
                 }
                 Outcome::Closest(t) | Outcome::Farther(t) => {
-                    format!("t = {}", trimmed(&t.into()).concat())
+                    format!("t ={}", texts(&Value::Number(t)).concat())
                 }
             };
             let (name, shown, open) = (inner.name, translated(inner.name), inner.is_open());

@@ -77,7 +77,7 @@ pub use language::Language;
 pub use language::filled;
 pub use language::translated;
 pub use outside::Outside;
-pub use over::composed;
+pub use over::compared;
 pub use over::draw_marks;
 pub use over::is_marked;
 pub use over::point_at;

@@ -13,7 +13,7 @@ use crate::draw_vectors;
 use crate::handle_at;
 
 /// What is to be seen of the desk's pictures: of two the last alone if they have different sizes.
-pub fn composed(desk: &Desk, mut pictures: Vec<RgbImage>) -> RgbImage {
+pub fn compared(desk: &Desk, mut pictures: Vec<RgbImage>) -> RgbImage {
     let this = pictures.pop().unwrap_or_default();
     match (pictures.pop(), desk.compare()) {
         (Some(before), compare) if compare != Compare::Off => compare.composed(&before, &this),

@@ -11,7 +11,7 @@ use super::row::Fold;
 use super::row::Row;
 use crate::Area;
 use crate::Canvas;
-use crate::over::composed;
+use crate::over::compared;
 
 /// The em of the text beside a written picture, of the picture's height, and that of the labels in it.
 const TEXT: f32 = 1.0 / 36.0;
@@ -30,7 +30,7 @@ impl Session {
     /// picture stand its equations, in as many columns as they take.
     pub fn written(&self, pictures: Vec<RgbImage>) -> RgbImage {
         self.desk.language().speak();
-        let mut picture = composed(&self.desk, pictures);
+        let mut picture = compared(&self.desk, pictures);
         let area = Canvas::new(&mut picture).area();
         let shorter = area.height.min(0.75 * area.width);
         let [em, label] = [TEXT, LABEL].map(|part| (part * shorter).clamp(SIZES.0, SIZES.1));
