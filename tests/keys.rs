@@ -14,6 +14,7 @@ use show::Event;
 use show::Key;
 use show::Language;
 use show::Session;
+use tests::portuguese;
 use tests::root;
 
 /// What a browser calls a key.

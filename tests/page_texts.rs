@@ -7,6 +7,7 @@ use lecture::PROGRAMS;
 use serde_json::Value;
 use serde_json::json;
 use show::Language;
+use tests::portuguese;
 
 use crate::browser::Browser;
 use crate::browser::DRAWN;
