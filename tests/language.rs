@@ -85,7 +85,7 @@ fn names() -> BTreeSet<String> {
 fn texts() -> BTreeSet<String> {
     let names = names();
     let mut texts = BTreeSet::new();
-    for folder in ["common/src", "common/show/src", "lecture/src"] {
+    for folder in ["common/src", "common/exercises/src", "common/show/src", "lecture/src"] {
         let sources = sources(&root().join(folder)).concat();
         let literals = literals(&sources).into_iter();
         texts.extend(literals.filter(|(code, _)| code.ends_with("text!(")).map(|(_, text)| text));
@@ -94,7 +94,9 @@ fn texts() -> BTreeSet<String> {
     let keys = KEYS.iter().chain(LECTURE_KEYS).flat_map(|(key, effect)| [key, effect]);
     let mistakes =
         exercises::Mistake::ALL.iter().flat_map(|mistake| [&mistake.what, &mistake.place]);
-    texts.extend(keys.chain(mistakes).map(|text| (*text).to_owned()));
+    let milestones =
+        exercises::Milestone::ALL.iter().flat_map(|it| [&it.done, &it.missing, &it.next]);
+    texts.extend(keys.chain(mistakes).chain(milestones).map(|text| (*text).to_owned()));
     // The group of the controls that every step has.
     texts.insert("camera".to_owned());
     for name in STEPS.into_iter().chain(["lecture"]) {
