@@ -8,12 +8,11 @@ use std::rc::Rc;
 use divan::Bencher;
 use divan::black_box;
 use image::RgbImage;
-use lecture::step07_specular::intersection::IntersectionRecord;
+use lecture::step07_specular::lecture_scene::lecture_scene;
 use lecture::step07_specular::light::PointLight;
 use lecture::step07_specular::material::Material;
 use lecture::step07_specular::scene::Object;
 use lecture::step07_specular::scene::Scene;
-use lecture::step07_specular::scene::lecture_scene;
 use lecture::step07_specular::sphere::Sphere;
 use lecture::step07_specular::surface::Surface;
 use lecture::step07_specular::triangle::Triangle;
@@ -113,7 +112,7 @@ fn trace(bencher: Bencher<'_, '_>, scene: &Scene) {
     let rays: Vec<Ray> = (0..32 * 32)
         .map(|index| camera.generate_ray((index % 32) as f32 / 31.0, (index / 32) as f32 / 31.0))
         .collect();
-    let trace = |ray: &Ray| scene.trace(ray, 0.0, f32::INFINITY, &mut Silent);
+    let trace = |ray: &Ray| scene.trace(ray, 0.0, f32::INFINITY, &Silent);
     bencher.bench_local(|| black_box(&rays).iter().map(trace).sum::<Color>());
 }
 
@@ -140,10 +139,9 @@ fn lights(bencher: Bencher<'_, '_>, count: usize) {
     let around = |index| {
         let angle = index as f32 / count as f32 * std::f32::consts::TAU;
         let position = Vec3::new(6.0 * angle.sin(), 6.0, 6.0 * angle.cos());
-        PointLight { name: "light", position, intensity: 60.0 / count as f32, attenuation: true }
+        PointLight { name: "light", position, intensity: 60.0 / count as f32 }
     };
     scene.lights = (0..count).map(around).collect();
-    scene.lit = count;
     trace(bencher, &scene);
 }
 
@@ -155,7 +153,7 @@ fn ray() -> Ray {
 fn sphere_hit(bencher: Bencher<'_, '_>) {
     let sphere = Sphere { center: Vec3::ZERO, radius: 1.0 };
     bencher.bench_local(|| {
-        black_box(&sphere).intersect(black_box(&ray()), 0.0, f32::INFINITY, &mut Silent)
+        black_box(&sphere).intersect(black_box(&ray()), 0.0, f32::INFINITY, &Silent)
     });
 }
 
@@ -163,19 +161,19 @@ fn sphere_hit(bencher: Bencher<'_, '_>) {
 fn triangle_hit(bencher: Bencher<'_, '_>) {
     let triangle = Triangle::new([Vec3::NEG_ONE, Vec3::X, Vec3::Y]);
     bencher.bench_local(|| {
-        black_box(&triangle).intersect(black_box(&ray()), 0.0, f32::INFINITY, &mut Silent)
+        black_box(&triangle).intersect(black_box(&ray()), 0.0, f32::INFINITY, &Silent)
     });
 }
 
 #[divan::bench]
 fn shade(bencher: Bencher<'_, '_>) {
     let (k_a, k_d) = (Color::splat(0.1), Color::splat(0.5));
-    let material = Material { k_a, k_d, k_s: 0.5, exponent: 100.0, phong: false };
-    let record = IntersectionRecord { t: 2.0, point: Vec3::Z, normal: Vec3::Z };
-    let position = Vec3::splat(3.0);
-    let light = PointLight { name: "light", position, intensity: 20.0, attenuation: true };
-    let shade = |record| black_box(&material).shade(&ray(), record, black_box(&light), &mut Silent);
-    bencher.bench_local(|| shade(black_box(&record)));
+    let material = Material { k_a, k_d, k_s: 0.5, p: 100.0 };
+    let light = PointLight { name: "light", position: Vec3::splat(3.0), intensity: 20.0 };
+    bencher.bench_local(|| {
+        let (point, normal) = black_box((Vec3::Z, Vec3::Z));
+        black_box(&material).shade(&ray(), point, normal, black_box(&light), &Silent)
+    });
 }
 
 #[divan::bench]

@@ -8,7 +8,6 @@ use std::net::TcpStream;
 use std::path::Path;
 use std::path::PathBuf;
 use std::process::Child;
-use std::process::Command;
 use std::process::Stdio;
 use std::sync::LazyLock;
 
@@ -18,11 +17,12 @@ use image::RgbImage;
 use serde_json::Value;
 use serde_json::json;
 use tests::root;
+use tests::start;
 
 /// The page, made once.
 pub(crate) static PAGE: LazyLock<PathBuf> = LazyLock::new(|| {
     let page = Path::new(env!("CARGO_TARGET_TMPDIR")).join("class.html");
-    let mut make = Command::new(env!("CARGO"));
+    let mut make = start(env!("CARGO"));
     make.current_dir(root()).args(["run", "--quiet", "-p", "lecture", "--", "--page"]).arg(&page);
     assert!(make.status().expect("cargo runs").success(), "the page is not made");
     page
@@ -49,7 +49,7 @@ impl Browser {
 
     /// A browser whose user likes these languages, the first one most.
     pub(crate) fn speaking(languages: &str, width: u32, height: u32) -> Self {
-        let mut driver = Command::new("chromedriver")
+        let mut driver = start("chromedriver")
             .arg("--port=0")
             .stdout(Stdio::piped())
             .stderr(Stdio::null())

@@ -10,13 +10,13 @@ mod style;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
 use similar::Algorithm;
 use similar::ChangeTag;
 use similar::TextDiff;
 use tests::STEPS;
 use tests::root;
+use tests::start;
 use tests::updating_snapshots;
 
 /// How many lines of the diff to each step may be added or removed, from step 02 on: in all files, and
@@ -321,7 +321,7 @@ fn the_lesson_comes_before_what_holds_it_together_and_the_stage() {
 #[ignore = "needs git"]
 fn git_shows_the_same_diffs() {
     for (previous, step) in pairs() {
-        let mut git = Command::new("git");
+        let mut git = start("git");
         git.current_dir(root())
             .env("GIT_CONFIG_GLOBAL", "/dev/null")
             .env("GIT_CONFIG_NOSYSTEM", "1");

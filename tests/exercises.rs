@@ -69,7 +69,7 @@ impl Copy {
     }
 
     fn cargo(&self) -> Command {
-        let mut cargo = Command::new(env!("CARGO"));
+        let mut cargo = start(env!("CARGO"));
         cargo.current_dir(&self.root).args(["--quiet"]).env("CARGO_NET_OFFLINE", "true");
         cargo.env("CARGO_TARGET_DIR", self.target());
         cargo
@@ -100,7 +100,7 @@ impl Copy {
                 cargo.arg(self.root.join("Cargo.toml")).arg("--");
                 cargo
             }
-            _ => Command::new(self.programs.join(reached)),
+            _ => start(self.programs.join(reached)),
         };
         check.env("CARGO", env!("CARGO")).env("CARGO_NET_OFFLINE", "true").env("LC_ALL", "C");
         check.env("CARGO_TARGET_DIR", self.target());

@@ -6,8 +6,6 @@ use std::fs::File;
 use std::io::Cursor;
 use std::io::Read;
 use std::path::Path;
-#[cfg(unix)]
-use std::process::Command;
 use std::process::Output;
 use std::process::Stdio;
 use std::thread;
@@ -235,10 +233,8 @@ fn a_file_keeps_its_permissions() {
 #[test]
 fn a_disk_that_is_full_half_way_keeps_the_old_file() {
     let folder = folder();
-    let program = command(STEP, folder.path());
     let script = r#"trap "" XFSZ; ulimit -f 8; exec "$0" "$@""#;
-    let mut shell = Command::new("sh");
-    shell.current_dir(folder.path()).args(["-c", script]).arg(program.get_program());
+    let mut shell = shell(script, STEP, folder.path());
     let output = shell.args(["-s", "960x540", "-o", "old.png"]).output().expect("sh runs");
     assert_failed(folder.path(), &output, "cannot write old.png: ", "another file or folder");
 }

@@ -6,6 +6,7 @@ use std::fs;
 use std::path::Path;
 use std::rc::Rc;
 use std::sync::LazyLock;
+use std::sync::Mutex;
 
 use tempfile::tempdir;
 use tests::prelude::*;
@@ -61,7 +62,8 @@ fn has_words(text: &str, names: &BTreeSet<String>) -> bool {
     // Without the {names}.
     let text: String = text.split('{').map(|part| part.rsplit('}').next().unwrap_or("")).collect();
     let words = text.split(|character: char| !character.is_ascii_alphabetic());
-    let long = words.filter(|word| word.len() >= 3 && !["cos", "max"].contains(word));
+    let long =
+        words.filter(|word| (word.len() >= 3 || *word == "or") && !["cos", "max"].contains(word));
     let is_equation = text.contains(" = ");
     !names.contains(&text) && long.into_iter().any(|word| !(is_equation && names.contains(word)))
 }
@@ -118,7 +120,13 @@ fn texts() -> BTreeSet<String> {
         }
         for explanation in explanations(index) {
             let symbols = marks(&explanation, 1.0).into_iter().map(|mark| mark.symbol);
-            texts.extend(symbols.filter(|name| has_words(name, &names)).map(str::to_owned));
+            let told = explanation.told.all().into_iter().map(|scope| scope.name);
+            let lines = explanation.lines().flat_map(|line| match line.value {
+                Value::Word(word) => vec![line.equation, word],
+                _ => vec![line.equation],
+            });
+            let said = symbols.chain(told).chain(lines);
+            texts.extend(said.filter(|name| has_words(name, &names)).map(str::to_owned));
         }
     }
     texts
@@ -198,18 +206,18 @@ fn texts_fit_where_they_stand() {
             for line in explanation.to_string().lines() {
                 assert!(line.chars().count() <= 100, "{step}: {line}");
             }
-            for group in explanation.sections.iter().flat_map(|section| &section.groups) {
-                let name = translated(group.name);
+            for scope in explanation.told.all() {
+                let name = translated(scope.name);
                 assert!(name.chars().count() < 47, "it reaches into its number: {name}");
                 // Beside it stands why it is missed, in a column of 18 ems.
-                if let Outcome::Missed(why, _) = group.outcome {
+                if let Outcome::Missed(why, _) = scope.outcome {
                     let width = Font::width(1.0, name) + Font::width(1.0, translated(why));
                     assert!(width <= 15.0, "too wide for its heading: {name}, {why}");
                 }
-                for line in &group.lines {
-                    let equation = translated(line.equation);
-                    assert!(equation.chars().count() < 45, "it reaches into its value: {equation}");
-                }
+            }
+            for line in explanation.lines() {
+                let equation = translated(line.equation);
+                assert!(equation.chars().count() < 45, "it reaches into its value: {equation}");
             }
         }
     }
@@ -312,10 +320,14 @@ fn programs_say_all_in_the_language_of_the_system() {
 #[test]
 fn the_first_variable_that_says_something_decides_unless_a_language_is_asked_for() {
     let (english, portuguese) = (Language::English, Language::Portuguese);
+    // Where the user sets a language elsewhere, that one decides when no variable does.
+    if cfg!(not(any(windows, target_os = "macos"))) {
+        for locale in [&[][..], &[("LANG", "")]] {
+            is_spoken(english, &run(STEPS[5], locale, &["--help"]));
+        }
+    }
     for (locale, asked, language) in [
-        (&[][..], None, english),
-        (&[("LANG", "")], None, english),
-        (&[("LANG", "pt_PT")], None, portuguese),
+        (&[("LANG", "pt_PT")][..], None, portuguese),
         (&[("LC_ALL", ""), ("LC_MESSAGES", "pt_BR.UTF-8"), ("LANG", "C")], None, portuguese),
         (&[("LC_MESSAGES", "C"), ("LANG", "pt_BR.UTF-8")], None, english),
         (&[("LC_ALL", "C"), ("LC_MESSAGES", "pt_BR"), ("LANG", "pt_BR")], None, english),
@@ -328,6 +340,21 @@ fn the_first_variable_that_says_something_decides_unless_a_language_is_asked_for
             let arguments = [asked.as_ref().map_or(&[][..], |asked| asked), &arguments].concat();
             is_spoken(language, &run(STEPS[5], locale, &arguments));
         }
+    }
+}
+
+/// Such as how far it is.
+#[test]
+fn what_is_said_while_a_picture_is_made_is_in_the_language_of_who_waits_for_it() {
+    let (step, size) = (step(5), Size::new(16, 9).expect("a size"));
+    let camera = step.view().camera(size.aspect());
+    let frame = Frame { step: &*step, camera: &*camera, size, samples: 1 };
+    for (_, language) in Language::ALL {
+        language.speak();
+        let spoken = Mutex::new(Vec::new());
+        render_parallel(&frame, |_| spoken.lock().expect("unharmed").push(Language::spoken()));
+        let spoken = spoken.into_inner().expect("unharmed");
+        assert!(!spoken.is_empty() && spoken.iter().all(|other| *other == language), "{spoken:?}");
     }
 }
 

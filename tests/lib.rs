@@ -12,6 +12,7 @@ pub mod povray;
 pub mod prelude;
 pub mod wrong;
 
+use std::ffi::OsStr;
 use std::ffi::OsString;
 use std::fs;
 use std::io;
@@ -30,10 +31,6 @@ use lecture::PROGRAMS;
 use lecture::steps;
 
 use crate::prelude::*;
-
-/// Whether a window needs a display that can be taken away from a program, which then writes its
-/// picture to a file. Elsewhere it would open a window and wait for its user.
-pub const X11: bool = cfg!(all(unix, not(target_os = "macos")));
 
 macro_rules! names {
     ($($step:ident)*) => {
@@ -140,12 +137,22 @@ pub fn hold_picture(
     compared.map(drop).map_err(|how| format!("{how}\n  expected is {shown}; {remedy}"))
 }
 
+/// `program`, to be started: told that the system speaks English and has no display, whatever it
+/// speaks and has. Every program that a test starts is started here, also one that starts ours, so
+/// that no test fails in another country or opens a window and waits for somebody to close it.
+pub fn start(program: impl AsRef<OsStr>) -> Command {
+    #[expect(clippy::disallowed_methods, reason = "this is where")]
+    let mut command = Command::new(program);
+    command.env("LC_ALL", "C").env("DISPLAY", "").env_remove("WAYLAND_DISPLAY");
+    command
+}
+
 /// The folder of the built programs: those of all steps are built when it is first asked for.
 static BUILT: LazyLock<PathBuf> = LazyLock::new(|| {
     // This test runs from target/PROFILE/deps.
     let test = std::env::current_exe().expect("the test has a path");
     let profile = test.parent().and_then(Path::parent).expect("target/PROFILE/deps");
-    let mut build = Command::new(env!("CARGO"));
+    let mut build = start(env!("CARGO"));
     build.current_dir(root()).args([
         "build",
         "--quiet",
@@ -166,21 +173,31 @@ static BUILT: LazyLock<PathBuf> = LazyLock::new(|| {
 pub fn program(name: &str) -> Command {
     let built = |name: &str| BUILT.join(name).with_extension(std::env::consts::EXE_EXTENSION);
     match name.strip_prefix("examples/") {
-        None => Command::new(built(name)),
+        None => start(built(name)),
         Some(figure) => {
-            let mut command = Command::new(built("examples/figure"));
+            let mut command = start(built("examples/figure"));
             command.arg(figure);
             command
         }
     }
 }
 
-/// A step's program, to be run in `folder` with no display, as far as there is [`X11`]; the folder is
-/// home and holds what is temporary too, so that whatever the program writes unasked is found there.
+/// A step's program, to be run in `folder`, which is home and holds what is temporary too, so that
+/// whatever the program writes unasked is found there.
 pub fn command(name: &str, folder: &Path) -> Command {
-    let mut command = program(name);
+    at_home(program(name), folder)
+}
+
+/// The same, run by a shell: in `script` the program is `"$0"`, and `"$@"` its arguments.
+#[cfg(unix)]
+pub fn shell(script: &str, name: &str, folder: &Path) -> Command {
+    let mut shell = at_home(start("sh"), folder);
+    shell.args(["-c", script]).arg(program(name).get_program());
+    shell
+}
+
+fn at_home(mut command: Command, folder: &Path) -> Command {
     command.current_dir(folder).env("HOME", folder).env("TMPDIR", folder);
-    command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env("LC_ALL", "C");
     command
 }
 

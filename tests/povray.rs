@@ -1,7 +1,6 @@
 //! POV-Ray, which has to be installed.
 
 use std::path::Path;
-use std::process::Command;
 
 use crate::prelude::*;
 
@@ -10,7 +9,7 @@ use crate::prelude::*;
 pub fn render(scene: &Path, declared: &[&str], size: (usize, usize), file: &Path) -> RgbImage {
     let (width, height) = size;
     let folder = file.parent().expect("a file in a folder");
-    let mut povray = Command::new("povray");
+    let mut povray = start("povray");
     povray.current_dir(folder).arg(scene);
     povray.args(declared.iter().map(|variable| format!("Declare={variable}")));
     povray.args([format!("+W{width}"), format!("+H{height}")]).args(["-D", "-A", "+WT1"]);

@@ -8,6 +8,7 @@ pub use image::RgbImage;
 pub use show::*;
 
 pub use crate::chance::*;
+pub use crate::every_step::TOLERANCE;
 pub use crate::every_step::*;
 pub use crate::wrong::*;
 pub use crate::*;

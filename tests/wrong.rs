@@ -47,5 +47,5 @@ pub const WRONG: &[(&[&str], &[&str])] = &[
     (&["--help=all"], &["unexpected value 'all'", "--help"]),
     (&["picture.png"], &["unexpected argument 'picture.png'"]),
     (&["a\nb"], &["unexpected argument", "a", "b"]),
-    (&["--set", "l_s=1"], &["did you mean 'L_s'?"]),
+    (&["--set", "i_a=1"], &["did you mean 'I_a'?"]),
 ];

@@ -249,14 +249,15 @@ fn write(f: &mut fmt::Formatter<'_>, scope: &Scope, depth: usize) -> fmt::Result
             Part::Scope(inner) => {
                 let (name, width) = (translated(inner.name), 49_usize.saturating_sub(indent));
                 match inner.outcome {
-                    Outcome::Missed(why, condition) => {
+                    // What is told of a part of the algorithm is all that there is to read of it.
+                    Outcome::Missed(why, condition) if depth > 0 => {
                         let (why, condition) = (translated(why), translated(condition));
                         writeln!(f, "{:indent$}{name:<width$} {why}: {condition}", "")?;
                     }
                     Outcome::Farther(t) => {
                         writeln!(f, "{:indent$}{name:<width$}{}", "", Value::Number(t))?;
                     }
-                    Outcome::Told | Outcome::Closest(_) => {
+                    Outcome::Told | Outcome::Missed(..) | Outcome::Closest(_) => {
                         writeln!(f, "{:indent$}{name}", "")?;
                         write(f, inner, depth + 1)?;
                     }

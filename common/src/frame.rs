@@ -1,3 +1,5 @@
+//! Pictures to be made, row by row or all at once, and how large they are.
+
 use std::fmt;
 use std::str::FromStr;
 

@@ -586,17 +586,12 @@ function fillEquation(parts) {
     if (kind === "section") { section += 1; group = ""; }
     else if (kind === "group") [group, title] = [rest[2] === "1" ? rest[0] : null, rest[1]];
     if (kind !== "line" || group === null) continue;
-    const [equation, , names, , ...numbers] = rest;
-    const parts = names.replace(/^\(|\)$/g, "").split(", ");
-    const each = parts.length === numbers.length && parts.length > 1 && !parts.some((part) => part.includes(" "));
-    (each ? parts : [names, equation.split(" = ").pop()]).forEach((name, place) => {
-      if (!symbols.has(name)) return;
-      const value = each ? [numbers[place]] : numbers;
-      if (group && group !== "sum" && section > 2) {
-        if (!groups.has(group)) { groups.set(group, new Map()); titles.push(title); }
-        groups.get(group).set(name, value);
-      } else told.set(name, value);
-    });
+    const [, , name, , ...numbers] = rest;
+    if (!symbols.has(name)) continue;
+    if (group && group !== "sum" && section > 2) {
+      if (!groups.has(group)) { groups.set(group, new Map()); titles.push(title); }
+      groups.get(group).set(name, numbers);
+    } else told.set(name, numbers);
   }
   const names = [...groups.keys()];
   if (!names.includes(numbersOf)) numbersOf = names[0] || "";

@@ -8,30 +8,28 @@ use pulldown_latex::push_mathml;
 
 use crate::handout::escape;
 
-/// What stands in an equation, and the symbol or right side that a step tells with its value; one
-/// that ends in `=` is meant only where it is given its value. Of two that begin alike the longer one is first.
-const SYMBOLS: [(&str, &str); 30] = [
-    (r"\max(0, \mathbf{n}\cdot\mathbf{h}_i)^{p}", "max(0, cos α)^p"),
+/// What stands in an equation, and the symbols that steps tell with its value, with `|` between
+/// them; one that ends in `=` is meant only where it is given its value. Of two that begin alike the
+/// longer one is first.
+const SYMBOLS: [(&str, &str); 27] = [
+    (r"\max(0, \mathbf{n}\cdot\mathbf{h}_i)^{p}", "max(0, n·h)^p"),
     (r"\mathbf{n}\cdot\mathbf{l}_i", "n·l"),
     (r"\mathbf{n}\cdot\mathbf{l}", "n·l"),
-    (r"\mathbf{v}_r\cdot\mathbf{v}", "v_r·v"),
     (r"\frac{I_i}{r_i^2}", "I/r²"),
     (r"\frac{I}{r^2}", "I/r²"),
     (r"\mathbf{p}", "p"),
     (r"\mathbf{d}", "d"),
-    (r"\mathbf{o} =", "o"),
     (r"\mathbf{h} =", "h"),
-    (r"b^2 - a c", "discriminant"),
     (r"t^{\ast}", "t_max"),
     (r"\alpha", "α"),
     (r"\beta", "β"),
     (r"\gamma", "γ"),
+    (r"\sqrt{D}", "√D"),
     ("a =", "a"),
-    ("b_0 =", "b₀"),
     ("b =", "b"),
-    ("c =", "c"),
-    ("t_0 =", "t₀"),
-    ("t =", "t₁"),
+    ("q^2 =", "q²"),
+    ("D =", "D"),
+    ("t =", "t₁|t"),
     ("V_i", "V"),
     ("k_a", "k_a"),
     ("k_d", "k_d"),
@@ -48,11 +46,14 @@ pub(crate) fn inline(latex: &str) -> String {
     mathml(latex, DisplayMode::Inline)
 }
 
+/// Which of [`SYMBOLS`] have had their place in the equations of a section.
+pub(crate) type Seen = [bool; SYMBOLS.len()];
+
 /// Equations below each other, or beside each other where there is room. Under each symbol that a
-/// step tells is an empty `<span data-symbol>`, where the symbol first stands.
-pub(crate) fn block(latex: &str) -> String {
+/// step tells is an empty `<span data-symbol>`, where the symbol first stands in the section.
+pub(crate) fn block(latex: &str, seen: &mut Seen) -> String {
     let mut html = String::from("<div class=\"math\" tabindex=\"0\" role=\"group\">");
-    for equation in with_places(latex).split(r"\qquad") {
+    for equation in with_places(latex, seen).split(r"\qquad") {
         html.push_str(&mathml(equation, DisplayMode::Block));
     }
     for (place, (_, symbol)) in SYMBOLS.iter().enumerate() {
@@ -74,8 +75,7 @@ fn mathml(latex: &str, display_mode: DisplayMode) -> String {
 }
 
 /// Puts `@PLACE@` under the first of each of [`SYMBOLS`].
-fn with_places(latex: &str) -> String {
-    let mut seen = [false; SYMBOLS.len()];
+fn with_places(latex: &str, seen: &mut Seen) -> String {
     let mut marked = String::new();
     let mut rest = latex;
     while let Some(first) = rest.chars().next() {

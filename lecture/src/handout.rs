@@ -96,7 +96,8 @@ fn finish(handout: &mut Handout, heading: Option<String>, mut part: Vec<Event<'_
     }
 }
 
-/// `html` with what stands in its text as `k_d` written with an index; code is as it is.
+/// `html` with what stands in its text as `k_d` written with an index; code is as it is, and so is a
+/// name of more than one letter, such as that of a file.
 fn with_indices(html: &str) -> String {
     let mut pieces = html.split('<');
     let mut indexed = pieces.next().unwrap_or_default().to_owned();
@@ -116,7 +117,11 @@ fn with_indices(html: &str) -> String {
         while let Some((before, after)) = text.split_once('_').filter(|_| code == 0) {
             let end = after.find(|next: char| !next.is_alphabetic()).unwrap_or(after.len());
             let (index, rest) = after.split_at(end);
-            let _ = write!(indexed, "{before}<sub>{index}</sub>");
+            let mut letters = before.chars().rev().take_while(|letter| letter.is_alphabetic());
+            let _ = match (letters.next(), letters.next()) {
+                (Some(_), None) => write!(indexed, "{before}<sub>{index}</sub>"),
+                _ => write!(indexed, "{before}_{index}"),
+            };
             text = rest;
         }
         indexed.push_str(text);
@@ -130,6 +135,7 @@ fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str) -> Vec<Event<'a>> {
     let number = &name[..6];
     let mut events: Vec<Event<'a>> = Vec::new();
     let (mut links, mut code) = (Vec::new(), None);
+    let mut seen = equation::Seen::default();
     // A figure's file and text, and where the table that it is in begins.
     let mut table = 0;
     let mut caption: Option<(String, String)> = None;
@@ -148,7 +154,7 @@ fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str) -> Vec<Event<'a>> {
             Event::Html(html) | Event::InlineHtml(html)
                 if html.trim_start().starts_with("<!--") => {}
             Event::DisplayMath(latex) => {
-                events.push(Event::InlineHtml(equation::block(&latex).into()));
+                events.push(Event::InlineHtml(equation::block(&latex, &mut seen).into()));
             }
             Event::InlineMath(latex) => {
                 events.push(Event::InlineHtml(equation::inline(&latex).into()));

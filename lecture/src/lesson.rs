@@ -149,7 +149,8 @@ fn command(latex: &str) -> (String, &str) {
         }
         "sqrt" => {
             let (root, rest) = piece(rest);
-            (format!("√({root})"), rest)
+            let is_symbol = root.chars().count() == 1;
+            (if is_symbol { format!("√{root}") } else { format!("√({root})") }, rest)
         }
         // A matrix is a row of columns.
         "begin" => ("[".to_owned(), piece(rest).1.trim_start()),
@@ -164,5 +165,9 @@ fn command(latex: &str) -> (String, &str) {
 
 /// In brackets, if it has several terms.
 fn grouped(text: String) -> String {
-    if text.contains([' ', '+']) && !text.starts_with('‖') { format!("({text})") } else { text }
+    if text.contains([' ', '+']) && !text.starts_with(['‖', '|']) {
+        format!("({text})")
+    } else {
+        text
+    }
 }

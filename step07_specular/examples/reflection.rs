@@ -18,8 +18,8 @@ fn draw(sketch: &mut Sketch<'_>, symbols: &[&str]) {
 fn draw_mirrored(lesson: &Lesson, sketch: &mut Sketch<'_>) {
     let n = Vec3::Y;
     let l = (lesson.scene.lights[0].position - TOP).normalize();
-    draw(sketch, &["n", "l", "v"]);
     sketch.arrow("v_r", TOP, 2.0 * n.dot(l) * n - l);
+    draw(sketch, &["n", "l", "v"]);
 }
 
 fn figure() -> Figure<Lesson> {
@@ -32,9 +32,9 @@ fn figure() -> Figure<Lesson> {
         .aspect(1.25)
         .view(View::new(Vec3::new(0.0, 2.0, 6.0), Vec3::new(0.0, 1.2, 0.0), 24.0))
         .controls(&["light.x", "light.y", "light.z", "k_s", "p"])
-        .panel("Phong: v_r = 2 (n·l) n − l", |_| ())
+        .panel("v_r = 2 (n·l) n − l", |_| ())
         .draw(draw_mirrored)
-        .panel("Blinn-Phong: h = (v + l) / ‖v + l‖", |_| ())
+        .panel("h = (v + l) / ‖v + l‖", |_| ())
         .draw(|_, sketch| draw(sketch, &["n", "l", "v", "h"]))
 }
 

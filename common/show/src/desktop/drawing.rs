@@ -1,15 +1,17 @@
+//! Pictures rendered on all cores: at once, or a slice of time after the other.
+
 use std::mem;
 use std::time::Duration;
 use std::time::Instant;
 
 use image::RgbImage;
 use rayon::iter::IndexedParallelIterator;
-use rayon::iter::ParallelIterator;
 use rayon::slice::ParallelSliceMut;
 
 use common::Camera;
 use common::Canvas;
 use common::Frame;
+use common::Language;
 use common::Size;
 use common::Step;
 
@@ -172,7 +174,7 @@ impl Drawing {
         let count = rows.max(rayon::current_num_threads()).div_ceil(band);
         let bands = picture.par_chunks_mut(3 * size.width() * band).enumerate();
         let bands = bands.skip(pass.row / band).take(count);
-        bands.for_each(|(index, rgb)| frame.render_rows(index * band, rgb));
+        on_all_cores(bands, |(index, rgb)| frame.render_rows(index * band, rgb));
         pass.time += start.elapsed();
         pass.row = (pass.row + count * band).min(size.height());
     }
@@ -216,15 +218,25 @@ fn black(size: Size) -> RgbImage {
     RgbImage::new(size.width() as u32, size.height() as u32)
 }
 
+/// Does `work` for each of `parts`, on all cores. Each thread speaks the language of the one that waits
+/// for them: left to themselves they would speak English.
+fn on_all_cores<P: IndexedParallelIterator>(parts: P, work: impl Fn(P::Item) + Sync) {
+    let language = Language::spoken();
+    parts.for_each(|part| {
+        language.speak();
+        work(part);
+    });
+}
+
 /// The picture of `frame`, rendered on all cores. `done` is told a number of rows whenever that many
-/// more are finished.
+/// more are finished, by whichever thread finished them.
 pub fn render_parallel(frame: &Frame<'_>, done: impl Fn(usize) + Sync) -> RgbImage {
     let mut picture = black(frame.size);
     let row = 3 * frame.size.width();
     // Small bands, because rows cost as much as what is seen in them.
     let rows = frame.rows_at_a_time().max(4);
     let bands = picture.par_chunks_mut(row * rows).enumerate();
-    bands.for_each(|(band, rgb)| {
+    on_all_cores(bands, |(band, rgb)| {
         frame.render_rows(band * rows, rgb);
         done(rgb.len() / row);
     });

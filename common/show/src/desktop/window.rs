@@ -1,3 +1,5 @@
+//! A step's window on a desktop: what a hand does there goes to the session, and back what it shows.
+
 use std::collections::VecDeque;
 use std::env;
 use std::mem;
@@ -106,6 +108,12 @@ impl Window {
                 size
             )
         );
+        // An empty DISPLAY is none, to X11 and so on every system: where the display is no variable,
+        // nobody could have a program run without one otherwise.
+        ensure!(
+            env::var_os("DISPLAY").is_none_or(|display| !display.is_empty()),
+            text!("no display")
+        );
         let options = WindowOptions {
             resize: true,
             scale_mode: ScaleMode::Stretch,
@@ -203,10 +211,8 @@ fn reason(error: minifb::Error) -> anyhow::Error {
         return anyhow!("{}", text.lines().next().unwrap_or_default().to_owned());
     }
     match env::var("DISPLAY") {
-        Ok(display) if !display.is_empty() => {
-            anyhow!(text!("the display {display} does not answer", display))
-        }
-        _ => anyhow!(text!("no display")),
+        Ok(display) => anyhow!(text!("the display {display} does not answer", display)),
+        Err(_) => anyhow!(text!("no display")),
     }
 }
 

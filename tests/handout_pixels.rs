@@ -1,0 +1,183 @@
+//! What handouts say of pixels is so: what is to be seen there, and what `--pixel` tells of them.
+
+use std::cmp::Ordering;
+use std::fs;
+use std::path::Path;
+
+use tests::prelude::*;
+
+use crate::readme::LANGUAGES;
+use crate::readme::Part;
+use crate::readme::Readme;
+use crate::readme::comments;
+use crate::readme::none;
+use crate::readme::originals;
+use crate::set_up;
+
+/// What a handout says is seen under «Try this»: with the settings `after`, and not with those
+/// `before`, pixels of 960 × 540 are brighter, darker or the same.
+struct Seen<'a> {
+    before: &'a str,
+    after: &'a str,
+    pixels: Vec<(usize, usize, Ordering)>,
+}
+
+/// How the English handout says it, in a comment, which no reader sees.
+const SEEN: &str = "<!-- --set NAME=VALUE: COL,ROW brighter, COL,ROW darker, COL,ROW same -->, \
+    or with other settings than the start's before a ';'";
+
+/// How it says what a pixel tells, in the words that are printed.
+const TELLS: &str = "<!-- --set NAME=VALUE --pixel X,Y tells LINE; LINE -->";
+
+/// Reads what is said to be [`SEEN`].
+fn seen(comment: &str) -> Option<Seen<'_>> {
+    let (settings, pixels) = comment.split_once(": ")?;
+    let (before, after) = settings.split_once("; ").unwrap_or(("", settings));
+    let mut flags = [before, after].into_iter().flat_map(|all| all.split_whitespace().step_by(2));
+    let pixels = pixels.split(", ").map(|pixel| {
+        let (place, found) = pixel.split_once(' ')?;
+        let found = match found {
+            "brighter" => Ordering::Greater,
+            "darker" => Ordering::Less,
+            "same" => Ordering::Equal,
+            _ => return None,
+        };
+        let (col, row) = place_of(place)?;
+        (col < 960 && row < 540).then_some((col, row, found))
+    });
+    let pixels = pixels.collect::<Option<_>>()?;
+    let known = !after.is_empty() && flags.all(|flag| ["--set", "--camera"].contains(&flag));
+    known.then_some(Seen { before, after, pixels })
+}
+
+/// `X,Y` as two numbers.
+fn place_of(place: &str) -> Option<(usize, usize)> {
+    let (col, row) = place.split_once(',')?;
+    Some((col.parse().ok()?, row.parse().ok()?))
+}
+
+/// What a step says of a pixel with these arguments: `--pixel`, and what is set, and how large the
+/// picture is.
+fn explanation(index: usize, arguments: &str) -> Explanation {
+    let setup = set_up(index, arguments);
+    let after = |flag| arguments.split_whitespace().skip_while(|word| *word != flag).nth(1);
+    let size = after("-s").map_or(Size::DEFAULT, |size| size.parse().expect("a size"));
+    let (col, row) = after("--pixel").and_then(place_of).expect("a pixel");
+    let (width, height) = (size.width(), size.height());
+    let camera = setup.view().camera(size.aspect());
+    setup.step().explain(&*camera, Pixel { col, row, width, height })
+}
+
+/// The lines of what [`explanation`] gives, in the language that is spoken, their words one space apart.
+fn told(index: usize, arguments: &str) -> Vec<String> {
+    explanation(index, arguments).to_string().lines().map(spaced).collect()
+}
+
+fn spaced(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// What is wrong with what an item of «Try this» says is seen in a step.
+fn wrong_in_item(index: usize, item: &[Part]) -> Vec<String> {
+    let (mut said, mut wrong) = (Vec::new(), Vec::new());
+    for comment in comments(item).filter(|comment| !comment.contains(" tells ")) {
+        match seen(comment) {
+            Some(seen) => said.push(seen),
+            None => wrong.push(format!("malformed: {comment}; it has to be {SEEN}")),
+        }
+    }
+    for part in item {
+        if let Part::Code(code) = part
+            && ["--set", "--camera"].iter().any(|flag| code.starts_with(flag))
+            && !code.contains("--pixel")
+            && !said.iter().any(|seen| seen.after == code)
+        {
+            wrong.push(format!("its item has no comment on what is seen with {code}: {SEEN}"));
+        }
+    }
+    for Seen { before, after, pixels } in said {
+        for (col, row, expected) in pixels {
+            let [old, new] = [before, after].map(|settings| {
+                encode(explanation(index, &format!("{settings} --pixel {col},{row}")).color)
+            });
+            let light = |pixel: [u8; 3]| pixel.iter().map(|code| u32::from(*code)).sum::<u32>();
+            let found = light(new).cmp(&light(old));
+            if found != expected || (found == Ordering::Equal && old != new) {
+                wrong.push(format!("{after}: {col},{row} went from {old:?} to {new:?}"));
+            }
+        }
+    }
+    wrong
+}
+
+#[test]
+fn what_is_to_be_seen_is_seen() {
+    let mut wrong = Vec::new();
+    for (index, step) in STEPS.iter().enumerate() {
+        let readme = Readme::read(&Path::new(step).join("README.md"));
+        for item in readme.section("Try this").split(|part| *part == Part::ListItem) {
+            let of_item = wrong_in_item(index, item).into_iter();
+            wrong.extend(of_item.map(|wrong| format!("{step}: {wrong}")));
+        }
+    }
+    none(wrong);
+}
+
+#[test]
+fn what_a_pixel_tells_is_told() {
+    let mut wrong = Vec::new();
+    for readme in originals() {
+        let Some(index) = readme.step() else { continue };
+        let tells = comments(&readme.parts).filter_map(|comment| comment.split_once(" tells "));
+        let tells: Vec<(&str, &str)> = tells.collect();
+        for (arguments, lines) in &tells {
+            let told = told(index, arguments);
+            for line in lines.split("; ").filter(|line| !told.iter().any(|told| told == line)) {
+                wrong.push(format!("{}: {arguments} does not tell {line}", readme.name()));
+            }
+        }
+        let is_pixel = |code: &&str| code.starts_with('-') && code.contains("--pixel ");
+        for code in readme.codes().filter(is_pixel) {
+            if !tells.iter().any(|(arguments, _)| *arguments == code) {
+                wrong.push(format!("{}: what does {code} tell? {TELLS}", readme.name()));
+            }
+        }
+    }
+    none(wrong);
+}
+
+/// What the handouts say in words that a pixel's explanation says: of a step, with `--pixel` and
+/// whatever else is set, in each language a line of it, spaces apart, and how the handout puts it.
+type Quoted = (usize, &'static str, [(&'static str, &'static str); 2]);
+
+#[rustfmt::skip]
+const QUOTED: &[Quoted] = &[
+    (3, "--pixel 100,270", [("outside α, β or γ < 0", "outside, α, β or γ < 0"), ("fora α, β ou γ < 0", "fora, α, β ou γ < 0")]),
+    (6, "--pixel 240,420", [("blocked by green sphere", "blocked by the green sphere"), ("bloqueada por esfera verde", "bloqueada pela esfera verde")]),
+    (6, "--pixel 240,420", [("key light", "the key light has V = 1"), ("luz principal", "a luz principal (key) tem V = 1")]),
+    (6, "--pixel 240,420", [("fill light", "the fill light V = 0"), ("luz de preenchimento", "a de preenchimento (fill) tem V = 0")]),
+    (6, "--set epsilon=0 --pixel 480,270", [("blocked by red sphere", "the red sphere is blocked by the red sphere"), ("bloqueada por esfera vermelha", "a esfera vermelha é bloqueada pela esfera vermelha")]),
+];
+
+#[test]
+fn what_is_quoted_of_a_pixel_is_told_in_each_language() {
+    let mut wrong = Vec::new();
+    for (number, arguments, quoted) in QUOTED {
+        for ((language, file), (line, prose)) in LANGUAGES.into_iter().zip(quoted) {
+            language.speak();
+            let path = Path::new(STEPS[number - 1]).join(file);
+            let handout = fs::read_to_string(root().join(&path)).expect("a handout");
+            if !told(number - 1, arguments).iter().any(|told| told == line) {
+                wrong.push(format!("{}, {arguments}: not told: {line}", path.display()));
+            }
+            if !spaced(&handout).contains(prose) {
+                wrong.push(format!("{} does not say: {prose}", path.display()));
+            }
+            if !handout.contains(&format!("`{arguments}`")) {
+                wrong.push(format!("{} does not have {arguments}", path.display()));
+            }
+        }
+    }
+    Language::English.speak();
+    none(wrong);
+}

@@ -1,0 +1,234 @@
+//! READMEs, taken apart into what can be held to something.
+
+use std::fs;
+use std::path::Path;
+use std::path::PathBuf;
+
+use common::Language;
+use pulldown_cmark::CodeBlockKind;
+use pulldown_cmark::Event;
+use pulldown_cmark::HeadingLevel;
+use pulldown_cmark::Options;
+use pulldown_cmark::Parser;
+use pulldown_cmark::Tag;
+use pulldown_cmark::TagEnd;
+use tests::STEPS;
+use tests::root;
+
+/// The languages, and what a handout is called in each.
+pub(crate) const LANGUAGES: [(Language, &str); 2] =
+    [(Language::English, "README.md"), (Language::Portuguese, "README.pt-BR.md")];
+
+/// A part of a README that can be held to something.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Part {
+    Heading(HeadingLevel, String),
+    /// The address of a link or of a picture.
+    Link(String),
+    /// A fenced block: its language and its text.
+    Fence(String, String),
+    /// A table's number of columns, then of rows.
+    Table(usize, usize),
+    ListItem,
+    /// `code`
+    Code(String),
+    /// **`code`**, which is how the handouts write a control.
+    Control(String),
+    /// A formula in TeX, without its words.
+    Formula(String),
+    Text(String),
+    Html(String),
+}
+
+pub(crate) struct Readme {
+    pub(crate) path: PathBuf,
+    pub(crate) parts: Vec<Part>,
+}
+
+impl Readme {
+    pub(crate) fn read(path: &Path) -> Self {
+        let text = fs::read_to_string(root().join(path))
+            .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        Self { path: path.to_owned(), parts: parts(&text) }
+    }
+
+    /// Where it lies, from the root.
+    pub(crate) fn name(&self) -> String {
+        self.path.display().to_string()
+    }
+
+    pub(crate) fn is_translated(&self) -> bool {
+        self.name().ends_with(".pt-BR.md")
+    }
+
+    /// The step that it is the handout of.
+    pub(crate) fn step(&self) -> Option<usize> {
+        let folder = self.path.parent()?;
+        STEPS.iter().position(|step| folder == Path::new(step))
+    }
+
+    /// The parts below the heading `title`.
+    pub(crate) fn section(&self, title: &str) -> &[Part] {
+        let heading = Part::Heading(HeadingLevel::H2, title.to_owned());
+        let start = self.parts.iter().position(|part| *part == heading);
+        let start = start.unwrap_or_else(|| panic!("{} has no «{title}»", self.name()));
+        let below = &self.parts[start + 1..];
+        let end = below.iter().position(|part| matches!(part, Part::Heading(HeadingLevel::H2, _)));
+        &below[..end.unwrap_or(below.len())]
+    }
+
+    /// The text of each fenced block in `language`.
+    pub(crate) fn fences(&self, language: &str) -> impl Iterator<Item = &str> {
+        self.parts.iter().filter_map(move |part| match part {
+            Part::Fence(found, text) if found == language => Some(text.as_str()),
+            _ => None,
+        })
+    }
+
+    /// What is written as code within its sentences.
+    pub(crate) fn codes(&self) -> impl Iterator<Item = &str> {
+        self.parts.iter().filter_map(|part| match part {
+            Part::Code(code) | Part::Control(code) => Some(code.as_str()),
+            _ => None,
+        })
+    }
+
+    pub(crate) fn links(&self) -> impl Iterator<Item = &str> {
+        self.parts.iter().filter_map(|part| match part {
+            Part::Link(address) => Some(address.as_str()),
+            _ => None,
+        })
+    }
+
+    /// Its words.
+    pub(crate) fn texts(&self) -> impl Iterator<Item = &str> {
+        texts(&self.parts)
+    }
+}
+
+/// The words in `parts`.
+pub(crate) fn texts(parts: &[Part]) -> impl Iterator<Item = &str> {
+    parts.iter().filter_map(|part| match part {
+        Part::Text(text) | Part::Heading(_, text) => Some(text.as_str()),
+        _ => None,
+    })
+}
+
+/// What `parts` say to the tests alone.
+pub(crate) fn comments(parts: &[Part]) -> impl Iterator<Item = &str> {
+    parts.iter().filter_map(|part| match part {
+        Part::Html(html) => html.trim().strip_prefix("<!-- ")?.strip_suffix(" -->"),
+        _ => None,
+    })
+}
+
+fn parts(text: &str) -> Vec<Part> {
+    let mut parts = Vec::new();
+    // Everything inside of a heading or of a fence belongs to it.
+    let mut inside = None;
+    let events: Vec<Event<'_>> =
+        Parser::new_ext(text, Options::ENABLE_TABLES | Options::ENABLE_MATH).collect();
+    for (index, event) in events.iter().enumerate() {
+        match event {
+            Event::Start(Tag::Heading { level, .. }) => {
+                inside = Some(Part::Heading(*level, String::new()));
+            }
+            Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(language))) => {
+                inside = Some(Part::Fence(language.to_string(), String::new()));
+            }
+            Event::End(TagEnd::Heading(_) | TagEnd::CodeBlock) => parts.extend(inside.take()),
+            Event::Text(text) | Event::Code(text) if inside.is_some() => match &mut inside {
+                Some(Part::Heading(_, whole) | Part::Fence(_, whole)) => whole.push_str(text),
+                _ => unreachable!("only headings and fences are gathered"),
+            },
+            Event::Text(text) => parts.push(Part::Text(text.to_string())),
+            Event::SoftBreak | Event::End(TagEnd::Paragraph) => {
+                parts.push(Part::Text(" ".to_owned()));
+            }
+            Event::Code(code) => {
+                let around = [index.checked_sub(1), Some(index + 1)];
+                let around = around.map(|index| index.and_then(|index| events.get(index)));
+                parts.push(match around {
+                    [Some(Event::Start(Tag::Strong)), Some(Event::End(TagEnd::Strong))] => {
+                        Part::Control(code.to_string())
+                    }
+                    _ => Part::Code(code.to_string()),
+                });
+            }
+            Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => {
+                parts.push(Part::Link(dest_url.to_string()));
+            }
+            Event::Start(Tag::Table(columns)) => parts.push(Part::Table(columns.len(), 0)),
+            Event::Start(Tag::TableRow) => {
+                let table = parts.iter_mut().rev().find_map(|part| match part {
+                    Part::Table(_, rows) => Some(rows),
+                    _ => None,
+                });
+                *table.expect("a row is in a table") += 1;
+            }
+            Event::Start(Tag::Item) => parts.push(Part::ListItem),
+            Event::InlineMath(formula) | Event::DisplayMath(formula) => {
+                parts.push(Part::Formula(without_words(formula)));
+            }
+            Event::Html(html) | Event::InlineHtml(html) => parts.push(Part::Html(html.to_string())),
+            _ => {}
+        }
+    }
+    parts
+}
+
+/// A formula in TeX on one line, without what stands in its `\text{}`.
+fn without_words(formula: &str) -> String {
+    let line = formula.split_whitespace().collect::<Vec<_>>().join(" ");
+    let mut pieces = line.split("\\text{");
+    let first = pieces.next().unwrap_or("");
+    let rest = pieces.map(|piece| piece.split_once('}').map_or("", |(_, rest)| rest));
+    std::iter::once(first).chain(rest).collect::<Vec<_>>().join("\\text{}")
+}
+
+/// All READMEs that are no translation.
+pub(crate) fn originals() -> impl Iterator<Item = Readme> {
+    readmes().into_iter().filter(|readme| !readme.is_translated())
+}
+
+/// All READMEs: those of the root, of the steps, and of whatever else holds one; and how to add to
+/// them.
+pub(crate) fn readmes() -> Vec<Readme> {
+    fn collect(folder: &Path, found: &mut Vec<PathBuf>) {
+        for entry in fs::read_dir(folder).expect("the folder can be read").flatten() {
+            let (path, name) = (entry.path(), entry.file_name());
+            let name = name.to_string_lossy();
+            if path.is_dir() && !name.starts_with('.') && name != "target" {
+                collect(&path, found);
+            } else if name.starts_with("README") || name == "CONTRIBUTING.md" {
+                found.push(path);
+            }
+        }
+    }
+    let mut paths = Vec::new();
+    collect(root(), &mut paths);
+    paths.sort();
+    let inside = |path: &PathBuf| path.strip_prefix(root()).map(Readme::read);
+    paths.iter().map(|path| inside(path).expect("it was found below the root")).collect()
+}
+
+/// Fails with all that is wrong.
+#[track_caller]
+pub(crate) fn none(wrong: Vec<String>) {
+    assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
+}
+
+/// The commands of a fenced block, without comments.
+pub(crate) fn commands(block: &str) -> impl Iterator<Item = &str> {
+    let lines = block.lines().map(|line| line.split('#').next().unwrap_or(line).trim());
+    lines.filter(|line| !line.is_empty())
+}
+
+/// What stands in the command `line` for something that only its reader knows: words in capitals, with
+/// a hyphen between each two.
+pub(crate) fn left_to_the_reader(line: &str) -> Option<&str> {
+    line.split_whitespace().find(|word| {
+        let is_capital = |part: &str| !part.is_empty() && part.chars().all(char::is_uppercase);
+        word.contains('-') && word.split('-').all(is_capital)
+    })
+}
