@@ -1,7 +1,8 @@
 //! Shows this step in a window, or writes it to a file.
 use std::process::ExitCode;
 
+use step02_sphere::Lesson;
+
 fn main() -> ExitCode {
-    let (name, concept) = (env!("CARGO_PKG_NAME"), env!("CARGO_PKG_DESCRIPTION"));
-    exercises::main::<step02_sphere::Lesson>(name, concept)
+    exercises::main::<Lesson>(env!("CARGO_PKG_NAME"), env!("CARGO_PKG_DESCRIPTION"))
 }
