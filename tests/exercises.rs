@@ -256,7 +256,7 @@ fn a_program_that_never_ends_is_said_to_compute_and_ends_on_ctrl_c() {
         let group = format!("-{}", check.id());
         let lines = BufReader::new(check.stderr.take().expect("a pipe")).lines();
         let said = lines.map_while(Result::ok).find(|line| line.contains("Ctrl+C"));
-        let sent = Command::new("kill").args(["-INT", "--", &group]).status();
+        let sent = start("kill").args(["-INT", "--", &group]).status();
         assert!(sent.expect("kill runs").success());
         assert_eq!(check.wait().expect("it was started").signal(), Some(2));
         said
@@ -281,7 +281,7 @@ fn the_steps_are_those_of_the_folder_where_a_check_runs() {
     let alone = home.path().join(name);
     let [root, .., below] = &folders;
     let asks = |mut program: Command, folder: &Path| {
-        let program = program.current_dir(folder).env("LC_ALL", "C").args(["--check", "step99"]);
+        let program = program.current_dir(folder).args(["--check", "step99"]);
         let output = program.output().expect("it runs");
         (output.status.code(), only_line(&output).to_owned())
     };
@@ -296,7 +296,7 @@ fn the_steps_are_those_of_the_folder_where_a_check_runs() {
     assert!(line.contains(&STEPS.join(", ")) && code == Some(2), "{line}");
     // And if it lies nowhere, it says where it looked.
     fs::copy(program(STEPS[1]).get_program(), &alone).expect("a program");
-    let (code, line) = asks(Command::new(&alone), empty.path());
+    let (code, line) = asks(start(&alone), empty.path());
     let looked = [empty.path(), home.path()].map(|path| path.file_name().expect("a name"));
     let named = looked.iter().all(|name| line.contains(&*name.to_string_lossy()));
     assert!(line.starts_with("error: the steps are found neither in ") && named, "{line}");

@@ -20,16 +20,22 @@ pub struct Diagnosis {
     pub but: Option<&'static Mistake>,
 }
 
+/// Of so many pixels that differ one may stay unexplained.
+const PART: usize = 10;
+
+/// Of so many one, where a milestone and one more mistake may explain them.
+const HALF: usize = 2;
+
 impl Diagnosis {
     /// What explains how the pictures found differ: nine in ten of the pixels that do, nearly all of
     /// those that do not, and more than anything else that is known. Milestones are those of `step`.
     pub fn new(step: &str, pairs: &[Pair<'_>]) -> Self {
         let Some(sample) = Sample::new(pairs) else { return Self::default() };
         let milestones = || Milestone::ALL.iter().filter(|milestone| milestone.step == step);
-        let reached = milestones().filter_map(|it| Some((it.misfits(&sample, None)?, it)));
+        let reached = milestones().filter_map(|it| Some((it.misfits(&sample, PART, None)?, it)));
         let reached = reached.min_by_key(|(misfits, _)| *misfits);
         let misfits = |mistake: &Mistake| {
-            sample.misfits(|place| mistake.pixel(&place.pair.frame, place.col, place.row))
+            sample.misfits(PART, |place| mistake.pixel(&place.pair.frame, place.col, place.row))
         };
         let mut known: Vec<(usize, &Mistake)> =
             Mistake::ALL.iter().filter_map(|it| Some((misfits(it)?, it))).collect();
@@ -52,11 +58,11 @@ impl Diagnosis {
 
     /// The milestone that is reached but for one mistake, if there is no other.
     fn on_the_way(
-        mut milestones: impl Iterator<Item = &'static Milestone>, sample: &Sample<'_>,
+        milestones: impl Iterator<Item = &'static Milestone>, sample: &Sample<'_>,
     ) -> Self {
         let with = |milestone: &'static Milestone| {
             let fits = |mistake: &&Mistake| match mistake.kind {
-                Kind::Told(slip) => milestone.misfits(sample, Some(slip)).is_some(),
+                Kind::Told(slip) => milestone.misfits(sample, PART, Some(slip)).is_some(),
                 _ => false,
             };
             let mut known = Mistake::ALL.iter().filter(fits);
@@ -68,7 +74,8 @@ impl Diagnosis {
                 ..Self::default()
             })
         };
-        milestones.find_map(with).unwrap_or_default()
+        let is_near = |it: &&Milestone| it.misfits(sample, HALF, None).is_some();
+        milestones.filter(is_near).find_map(with).unwrap_or_default()
     }
 }
 

@@ -130,20 +130,22 @@ impl Milestone {
     ];
 
     /// How many pixels of `sample` are not as they are at this milestone, or with one more `mistake`;
-    /// none where that is not it.
-    pub(crate) fn misfits(&self, sample: &Sample<'_>, mistake: Option<Slip>) -> Option<usize> {
+    /// none if they are [too many](Sample::misfits).
+    pub(crate) fn misfits(
+        &self, sample: &Sample<'_>, part: usize, mistake: Option<Slip>,
+    ) -> Option<usize> {
         let of = |way: &Slip| {
             let slips: Vec<Slip> = [*way].into_iter().chain(mistake).collect();
             let pixel = |place: &Place<'_>| encode(radiance(place, &slips));
             let white = encode(Color::ONE);
             if !self.any_color {
-                return sample.misfits(pixel);
+                return sample.misfits(part, pixel);
             }
             let color = sample.places().find(|place| pixel(place) == white)?.found();
             if color == encode(Color::ZERO) {
                 return None;
             }
-            sample.misfits(|place| if pixel(place) == white { color } else { pixel(place) })
+            sample.misfits(part, |place| if pixel(place) == white { color } else { pixel(place) })
         };
         self.ways.iter().filter_map(of).min()
     }

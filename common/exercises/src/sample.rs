@@ -48,9 +48,11 @@ impl<'a> Sample<'a> {
         self.differing.iter().chain(&self.equal)
     }
 
-    /// How many pixels are not found as `pixel` has them; none if it does not have nine in ten of
-    /// those that differ right, and nearly all of those that do not.
-    pub(crate) fn misfits(&self, pixel: impl Fn(&Place<'_>) -> [u8; 3]) -> Option<usize> {
+    /// How many pixels are not found as `pixel` has them; none if that is more than one in `part` of
+    /// those that differ, or more than one in five times `part` of the others.
+    pub(crate) fn misfits(
+        &self, part: usize, pixel: impl Fn(&Place<'_>) -> [u8; 3],
+    ) -> Option<usize> {
         let count = |places: &[Place<'_>], most: usize| {
             let misfits =
                 places.iter().filter(|place| off(pixel(place), place.found()) > TOLERANCE);
@@ -58,7 +60,7 @@ impl<'a> Sample<'a> {
             (misfits <= most).then_some(misfits)
         };
         let (differing, equal) = (&self.differing, &self.equal);
-        Some(count(differing, differing.len() / 10)? + count(equal, equal.len() / 50)?)
+        Some(count(differing, differing.len() / part)? + count(equal, equal.len() / (5 * part))?)
     }
 
     /// By how many misfits one explanation has to be better than another to be the only one.
