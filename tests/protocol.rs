@@ -1,5 +1,7 @@
 //! What the page with all steps is answered, as a browser would ask, without one.
 
+use std::fs;
+
 use common::Pixel;
 use common::Scope;
 use lecture::PROGRAMS;
@@ -9,6 +11,8 @@ use serde_json::json;
 use show::Frame;
 use show::Size;
 use show::texts;
+use tests::files_below;
+use tests::root;
 use tests::step;
 
 /// A page that is asked in JSON.
@@ -321,6 +325,22 @@ fn a_figure_is_changed_alone() {
     assert_eq!(page.state(), start);
     page.ask(json!({"doOn": ["both_roots", {"reset": "radius"}]}));
     assert_eq!(its(&mut page), first);
+}
+
+#[test]
+fn the_page_has_all_scripts_and_each_is_small() {
+    let folder = root().join("lecture");
+    let joins = fs::read_to_string(folder.join("src/html.rs")).expect("text");
+    let files = files_below(&folder.join("page")).into_iter();
+    for path in files.filter(|path| path.extension().is_some_and(|kind| kind == "js")) {
+        let name = path.file_name().expect("a name").display();
+        assert!(joins.contains(&format!("include_str!(\"../page/{name}\")")), "{name}");
+        let script = fs::read_to_string(&path).expect("text");
+        assert!(script.starts_with("// ") && script.lines().count() < 200, "{name}");
+        for line in script.lines() {
+            assert!(line.chars().count() <= 100, "{name}: {line}");
+        }
+    }
 }
 
 #[test]
