@@ -21,7 +21,7 @@ use tests::updating_snapshots;
 
 /// How many lines of the diff to each step may be added or removed, from step 02 on: in all files, and
 /// in the lesson's alone. A step that is not in it yet has the medians.
-const BUDGETS: &[[usize; 2]] = &[[78, 71], [97, 89], [141, 94], [65, 49], [58, 35], [35, 17]];
+const BUDGETS: &[[usize; 2]] = &[[79, 71], [97, 89], [141, 94], [65, 49], [58, 35], [35, 17]];
 
 /// The largest budgets, and the largest medians of all: of all files, and of the lesson's.
 const LARGEST: [usize; 2] = [155, 120];

@@ -86,10 +86,12 @@ fn names() -> BTreeSet<String> {
 fn texts() -> BTreeSet<String> {
     let names = names();
     let mut texts = BTreeSet::new();
-    for folder in ["common/src", "common/exercises/src", "common/show/src", "lecture/src"] {
-        let sources = sources(&root().join(folder)).concat();
-        let literals = literals(&sources).into_iter();
-        texts.extend(literals.filter(|(code, _)| code.ends_with("text!(")).map(|(_, text)| text));
+    for folder in ["common/show/src", "common/exercises/src", "lecture/src"] {
+        for source in sources(&root().join(folder)) {
+            let calls = source.split("text!(").skip(1);
+            let quoted = calls.filter(|call| call.trim_start().starts_with('"'));
+            texts.extend(quoted.map(|call| literals(call).swap_remove(0).1));
+        }
     }
     texts.extend(texts_of_the_page());
     let keys = keys().into_iter().flat_map(|row| [row.keys, row.effect]);
