@@ -6,7 +6,6 @@ use std::path::Path;
 use lecture::PROGRAMS;
 use serde_json::Value;
 use serde_json::json;
-use show::Language;
 use tests::portuguese;
 
 use crate::browser::Browser;
