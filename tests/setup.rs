@@ -239,7 +239,7 @@ fn a_fourth_sphere_and_a_third_light_have_names_of_their_own() {
     setup.set("top.I", "1").expect("it is there");
     assert_eq!(setup.settings(), ["red ball.radius=1.5", "top.I=1"]);
     assert_ne!(seen(&setup), before, "the fourth sphere has grown");
-    assert_eq!(setup.set("red.radius", "1").is_err(), true, "which of them?");
+    assert!(setup.set("red.radius", "1").is_err(), "which of them?");
 }
 
 #[test]

@@ -5,8 +5,8 @@ use std::str::FromStr;
 
 use image::RgbImage;
 
-use crate::encode;
 use crate::text;
+use canvas::encode_means;
 use common::Camera;
 use common::Color;
 use common::Image;
@@ -183,17 +183,8 @@ impl Frame<'_> {
             let mut image = Image::new(n * width, n * height, n * row, colors);
             self.step.render(self.camera, &mut image);
             for (colors, pixels) in colors.chunks(n * n * width).zip(rgb.chunks_mut(3 * width)) {
-                self.encode_row(colors, pixels);
+                encode_means(colors, n, pixels);
             }
-        }
-    }
-
-    /// Encodes one row of pixels, each the mean of a square of `colors`.
-    fn encode_row(&self, colors: &[Color], pixels: &mut [u8]) {
-        let (n, width) = (self.samples, self.size.width());
-        for (col, pixel) in pixels.chunks_exact_mut(3).enumerate() {
-            let sum: Color = (0..n).flat_map(|row| &colors[n * (row * width + col)..][..n]).sum();
-            pixel.copy_from_slice(&encode(sum / (n * n) as f32));
         }
     }
 

@@ -6,7 +6,6 @@
 //! thread or file. A step's library does not know of this crate, nor could it be built for a browser
 //! if it did: its program and its figures do.
 
-mod canvas;
 mod compare;
 mod control;
 mod desk;
@@ -18,12 +17,10 @@ mod language;
 mod outside;
 mod over;
 mod pen;
-mod pixels;
 mod session;
 mod setup;
 mod shown;
 mod sight;
-mod srgb;
 mod vectors;
 mod written;
 
@@ -32,6 +29,12 @@ pub use canvas::Area;
 pub use canvas::Canvas;
 pub use canvas::Font;
 pub use canvas::Ink;
+pub use canvas::count_off;
+pub use canvas::decode;
+pub use canvas::encode;
+pub use canvas::magnified;
+pub use canvas::off;
+pub use canvas::pack;
 pub use compare::Comparison;
 pub use compare::Difference;
 pub use compare::TOLERANCE;
@@ -81,10 +84,6 @@ pub use over::compared;
 pub use over::draw_marks;
 pub use over::is_marked;
 pub use over::point_at;
-pub use pixels::count_off;
-pub use pixels::magnified;
-pub use pixels::off;
-pub use pixels::pack;
 pub use session::Event;
 pub use session::Session;
 pub use setup::Handle;
@@ -97,8 +96,6 @@ pub use shown::Shown;
 pub use sight::Sight;
 pub use sight::Stroke;
 pub use sight::first_hit;
-pub use srgb::decode;
-pub use srgb::encode;
 pub use vectors::Mark;
 pub use vectors::MarkShape;
 pub use vectors::drag;

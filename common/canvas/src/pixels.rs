@@ -1,6 +1,19 @@
-//! Pixels of two pictures side by side, and packed.
+//! Pixels in a row: encoded, compared with those of another picture, and packed.
 
+use common::Color;
 use image::RgbImage;
+
+use crate::encode;
+
+/// Encodes a row of pixels, each the mean of a square of `samples` × `samples` of the `colors`.
+pub fn encode_means(colors: &[Color], samples: usize, pixels: &mut [u8]) {
+    let width = pixels.len() / 3;
+    for (col, pixel) in pixels.chunks_exact_mut(3).enumerate() {
+        let rows = (0..samples).map(|row| samples * (row * width + col));
+        let sum: Color = rows.flat_map(|first| &colors[first..][..samples]).sum();
+        pixel.copy_from_slice(&encode(sum / (samples * samples) as f32));
+    }
+}
 
 /// How far the channel is off that is furthest, in steps of 1/255.
 pub fn off(a: [u8; 3], b: [u8; 3]) -> u8 {

@@ -1,6 +1,8 @@
+//! Where things are in a picture, in pixels.
+
 use std::ops::Range;
 
-use super::shape::cut_line;
+use crate::shape::cut_line;
 
 /// A rectangle of a picture, in pixels from its top left corner; pixel (col, row) is the square
 /// from (col, row) to (col + 1, row + 1).
@@ -125,7 +127,7 @@ impl Area {
     }
 
     /// Whether some of it is in `other`.
-    pub(super) fn meets(self, other: Self) -> bool {
+    pub(crate) fn meets(self, other: Self) -> bool {
         self.left < other.right()
             && self.right() > other.left
             && self.top < other.bottom()
@@ -133,7 +135,7 @@ impl Area {
     }
 
     /// The columns and the rows from edge to edge, each edge at the nearest whole pixel.
-    pub(super) fn pixels(self) -> (Range<i64>, Range<i64>) {
+    pub(crate) fn pixels(self) -> (Range<i64>, Range<i64>) {
         let whole = |edge: f32| edge.round().clamp(-1e9, 1e9) as i64;
         let range = |from: f32, to: f32| whole(from)..whole(to).max(whole(from));
         if [self.left, self.top, self.right(), self.bottom()].iter().all(|edge| edge.is_finite()) {

@@ -1,7 +1,7 @@
 //! What a pen leaves on a picture, each shape by the distance to its edge.
 
 /// A position in pixels; twice the precision, because what is seen may start far outside.
-pub(super) type Point = (f64, f64);
+pub(crate) type Point = (f64, f64);
 
 /// All that is on the inner side of a line: where x·x + y·y <= c, for (x, y, c) with the unit vector
 /// (x, y) out of it.
@@ -16,20 +16,20 @@ enum Kind {
     Triangle { edges: [HalfPlane; 3] },
 }
 
-pub(super) struct Shape {
+pub(crate) struct Shape {
     kind: Kind,
     /// How much a pixel is covered at most.
     most_covered: f64,
     /// The least x and y of what is covered.
-    pub(super) least: Point,
+    pub(crate) least: Point,
     /// The greatest x and y of what is covered.
-    pub(super) most: Point,
+    pub(crate) most: Point,
     /// What is covered is in all of them.
     around: [HalfPlane; 3],
 }
 
 /// From nowhere to nowhere.
-pub(super) const NOTHING: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
+pub(crate) const NOTHING: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
 
 /// All there is.
 const ANYWHERE: HalfPlane = (0.0, 0.0, f64::INFINITY);
@@ -41,7 +41,7 @@ fn at_least_a_pixel(half_width: f64) -> (f64, f64) {
 }
 
 impl Shape {
-    pub(super) fn line(from: Point, to: Point, radius: f64) -> Self {
+    pub(crate) fn line(from: Point, to: Point, radius: f64) -> Self {
         let (radius, most_covered) = at_least_a_pixel(radius);
         let along = (to.0 - from.0, to.1 - from.1);
         let kind = Kind::Line { from, along, radius };
@@ -56,7 +56,7 @@ impl Shape {
         Self::new(kind, most_covered, &[from, to], reach, around)
     }
 
-    pub(super) fn ring(center: Point, radius: f64, half_width: f64) -> Self {
+    pub(crate) fn ring(center: Point, radius: f64, half_width: f64) -> Self {
         let (half_width, most_covered) = at_least_a_pixel(half_width);
         let kind = Kind::Ring { center, radius, half_width };
         let reach = radius + half_width + 0.5;
@@ -64,7 +64,7 @@ impl Shape {
     }
 
     /// None where the corners are on one line.
-    pub(super) fn triangle(corners: [Point; 3]) -> Option<Self> {
+    pub(crate) fn triangle(corners: [Point; 3]) -> Option<Self> {
         let [a, b, c] = corners;
         let turn = (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0);
         let edge = |(x, y): Point, (to_x, to_y): Point| {
@@ -112,17 +112,17 @@ impl Shape {
     }
 
     /// How much of the pixel with its centre at `center` is covered, 0 to 1.
-    pub(super) fn coverage(&self, center: Point) -> f64 {
+    pub(crate) fn coverage(&self, center: Point) -> f64 {
         (0.5 - self.distance(center)).clamp(0.0, 1.0) * self.most_covered
     }
 
     /// Between which x the pixels with their centres at `y` can be covered.
-    pub(super) fn span(&self, y: f64) -> (f64, f64) {
+    pub(crate) fn span(&self, y: f64) -> (f64, f64) {
         self.between(y, 0.0)
     }
 
     /// Between which x the pixels with their centres at `y` are known to be covered as much as any.
-    pub(super) fn core(&self, y: f64) -> (f64, f64) {
+    pub(crate) fn core(&self, y: f64) -> (f64, f64) {
         match self.kind {
             Kind::Triangle { .. } => self.between(y, 1.0),
             Kind::Line { .. } | Kind::Ring { .. } => NOTHING,
@@ -148,7 +148,7 @@ impl Shape {
 }
 
 /// The part of a line that is between `least` and `most`, and how much is missing before it.
-pub(super) fn cut_line(
+pub(crate) fn cut_line(
     from: Point, to: Point, (least, most): (Point, Point),
 ) -> Option<(Point, Point, f64)> {
     let swap = |(x, y): Point| (y, x);

@@ -1,24 +1,19 @@
 //! One surface for all that is drawn over a finished picture.
 
-mod area;
-mod font;
-mod ink;
-mod shape;
-
 use std::ops::Range;
 
 use image::RgbImage;
 use image::imageops;
 
-pub use area::Anchor;
-pub use area::Area;
-pub use font::Font;
-use font::Part;
-pub use ink::Ink;
-use shape::NOTHING;
-use shape::Point;
-use shape::Shape;
-use shape::cut_line;
+use crate::Anchor;
+use crate::Area;
+use crate::Font;
+use crate::Ink;
+use crate::font::Part;
+use crate::shape::NOTHING;
+use crate::shape::Point;
+use crate::shape::Shape;
+use crate::shape::cut_line;
 
 /// A finished picture that lines, areas and text are drawn on.
 ///

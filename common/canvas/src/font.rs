@@ -1,3 +1,5 @@
+//! Letters, and how wide they are.
+
 use std::borrow::Cow;
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -8,10 +10,10 @@ use ab_glyph::GlyphId;
 use ab_glyph::PxScale;
 use ab_glyph::point;
 
-use super::Anchor;
-use super::Area;
+use crate::Anchor;
+use crate::Area;
 
-/// The font of every [`Canvas`](super::Canvas): DejaVu Serif Condensed, in which l, I, 1 and |, and
+/// The font of every [`Canvas`](crate::Canvas): DejaVu Serif Condensed, in which l, I, 1 and |, and
 /// α and a, differ. All digits have one width.
 ///
 /// A `size` is the font's em in pixels: a capital letter is 0.73 of it high. A larger size than
@@ -21,11 +23,11 @@ use super::Area;
 pub struct Font;
 
 /// How a letter covers the pixels around its origin, 0 to 255: rows from the top.
-pub(super) struct Mask {
-    pub(super) left: i64,
-    pub(super) top: i64,
-    pub(super) width: usize,
-    pub(super) coverage: Vec<u8>,
+pub(crate) struct Mask {
+    pub(crate) left: i64,
+    pub(crate) top: i64,
+    pub(crate) width: usize,
+    pub(crate) coverage: Vec<u8>,
 }
 
 #[derive(Clone, Copy)]
@@ -37,7 +39,7 @@ struct Letter {
 
 /// Whether a letter is drawn itself, or the edge that tells it from what is behind.
 #[derive(Clone, Copy, Eq, Hash, PartialEq)]
-pub(super) enum Part {
+pub(crate) enum Part {
     Letter,
     Halo,
 }
@@ -263,7 +265,7 @@ impl Font {
 
     /// Hands out the masks of a line of text in `area`, each with the column and the row of its
     /// upper left corner, of those letters that can be seen between the columns `from` and `to`.
-    pub(super) fn masks(
+    pub(crate) fn masks(
         area: Area, size: f32, text: &str, part: Part, (from, to): (f64, f64),
         mut draw: impl FnMut(i64, i64, &Mask),
     ) {

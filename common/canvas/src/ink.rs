@@ -1,8 +1,10 @@
+//! What is drawn with.
+
 use crate::decode;
 use crate::encode;
 use common::Color;
 
-/// What a [`Canvas`](super::Canvas) draws with: an 8-bit sRGB colour, and how much it covers what
+/// What a [`Canvas`](crate::Canvas) draws with: an 8-bit sRGB colour, and how much it covers what
 /// is under it.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub struct Ink {
@@ -61,12 +63,12 @@ impl Ink {
     }
 
     /// Lays the ink over a pixel, as far as `coverage`, 0 to 255, and alpha tell.
-    pub(super) fn lay(self, pixel: &mut [u8], coverage: u8) {
+    pub(crate) fn lay(self, pixel: &mut [u8], coverage: u8) {
         self.with_alpha(share(u16::from(coverage) * u16::from(self.alpha))).blend(pixel);
     }
 
     /// Lays the ink over pixels.
-    pub(super) fn blend(self, pixels: &mut [u8]) {
+    pub(crate) fn blend(self, pixels: &mut [u8]) {
         let opacity = u16::from(self.alpha);
         let over = self.rgb.map(|code| u16::from(code) * opacity);
         for pixel in pixels.chunks_exact_mut(3) {

@@ -1,0 +1,25 @@
+//! A picture's pixels: how they are encoded, compared, and drawn on.
+//!
+//! What costs time for each pixel and is no step's stands here, apart from what shows a step: this
+//! crate is optimised in every build, and that one, which is large, compiles fast instead.
+
+mod area;
+mod canvas;
+mod font;
+mod ink;
+mod pixels;
+mod shape;
+mod srgb;
+
+pub use area::Anchor;
+pub use area::Area;
+pub use canvas::Canvas;
+pub use font::Font;
+pub use ink::Ink;
+pub use pixels::count_off;
+pub use pixels::encode_means;
+pub use pixels::magnified;
+pub use pixels::off;
+pub use pixels::pack;
+pub use srgb::decode;
+pub use srgb::encode;
