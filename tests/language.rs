@@ -8,7 +8,6 @@ use std::sync::LazyLock;
 use std::sync::Mutex;
 
 use tempfile::tempdir;
-use tests::files_below;
 use tests::prelude::*;
 
 /// The string literals of Rust source before its unit tests, each with what stands before it.
