@@ -126,12 +126,12 @@ impl Scope {
 
     /// All lines told of it and of the things within it, in their order.
     pub fn all_lines(&self) -> Vec<&Line> {
-        let parts = self.parts.iter();
-        parts
-            .flat_map(|part| {
-                part.scope().map_or(part.line().into_iter().collect(), Self::all_lines)
-            })
-            .collect()
+        let mut lines = Vec::new();
+        for part in &self.parts {
+            lines.extend(part.line());
+            lines.extend(part.scope().into_iter().flat_map(Self::all_lines));
+        }
+        lines
     }
 
     /// It and all things within it, in their order.
