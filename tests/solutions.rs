@@ -74,7 +74,7 @@ pub(crate) const MILESTONES: &[(usize, &str, &[Change], &str)] = &[
     (5,
         "Begin with k_d max(0, n·l)",
         &[("material.rs", "light.intensity / r_squared", "1.0"),
-         ("controls.rs", "controls.group_of(\"diffuse reflection\", \"light\", light.name);", "return controls;")],
+         ("controls.rs", "to.group_of(\"diffuse reflection\", \"light\", light.name);", "return;")],
         "k_d max(0, n·l)"),
     (6,
         "Begin with one light and its shadow",
