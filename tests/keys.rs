@@ -2,8 +2,8 @@
 
 use std::fs;
 
-use lecture::Page;
 use lecture::programs;
+use page::Page;
 use serde_json::Value;
 use serde_json::json;
 use show::Act;
@@ -48,7 +48,7 @@ fn state(desk: &Desk) -> Value {
 fn both(address: &str) -> (Session, Page) {
     let mut desk = Desk::new(programs(), 0);
     desk.act(Act::Open(address.to_owned())).expect("an address");
-    let mut page = Page::default();
+    let mut page = lecture::page();
     ask(&mut page, &json!({"do": {"open": address}}));
     (Session::new(desk), page)
 }

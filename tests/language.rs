@@ -85,7 +85,7 @@ fn names() -> BTreeSet<String> {
 fn texts() -> BTreeSet<String> {
     let names = names();
     let mut texts = BTreeSet::new();
-    for folder in ["common/show/src", "common/exercises/src", "lecture/src"] {
+    for folder in ["common/show/src", "common/exercises/src", "lecture/src", "lecture/page/src"] {
         for source in sources(&root().join(folder)) {
             let calls = source.split("text!(").skip(1);
             let quoted = calls.filter(|call| call.trim_start().starts_with('"'));

@@ -5,7 +5,7 @@ use std::fs;
 use common::Pixel;
 use common::Scope;
 use lecture::PROGRAMS;
-use lecture::Page;
+use page::Page;
 use serde_json::Value;
 use serde_json::json;
 use show::Frame;
@@ -21,7 +21,7 @@ struct Asked(Page);
 impl Asked {
     /// A page that shows what `address` says.
     fn at(address: &str) -> Self {
-        let mut page = Self(Page::default());
+        let mut page = Self(lecture::page());
         page.does(json!({"open": address}));
         page
     }

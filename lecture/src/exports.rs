@@ -3,7 +3,7 @@
 
 use std::cell::RefCell;
 
-use crate::Page;
+use page::Page;
 
 /// What goes between the page and the browser.
 struct Exchange {
@@ -14,7 +14,7 @@ struct Exchange {
 
 thread_local! {
     static EXCHANGE: RefCell<Exchange> =
-        RefCell::new(Exchange { page: Page::default(), input: Vec::new(), output: Vec::new() });
+        RefCell::new(Exchange { page: crate::page(), input: Vec::new(), output: Vec::new() });
 }
 
 /// Where a question of `length` bytes is to be written. The memory may grow: look at it afterwards.

@@ -103,7 +103,7 @@ pub(crate) fn page() -> Result<String> {
         template,
         &[
             ("style", &style),
-            ("script", SCRIPT),
+            ("script", &without_comments(SCRIPT)),
             ("texts", &texts),
             ("links", &links),
             ("articles", &articles),
@@ -127,6 +127,14 @@ fn texts(sources: &[&str]) -> String {
         format!("{tag:?}:{{{}}}", pairs.join(","))
     });
     format!("{{{}}}", texts.collect::<Vec<_>>().join(","))
+}
+
+/// `script` without the lines that only say something.
+fn without_comments(script: &str) -> String {
+    let is_said =
+        |line: &&str| ["//", "/**", "* "].iter().any(|sign| line.trim().starts_with(sign));
+    let lines = script.lines().filter(|line| !is_said(line) && !matches!(line.trim(), "" | "*/"));
+    lines.map(|line| format!("{line}\n")).collect()
 }
 
 /// The committed pictures in `folder`, small, as the grounds of the places for the figures: where

@@ -1,16 +1,13 @@
 //! The whole class at once: all steps behind one door.
 //!
-//! [`steps!`] is the only place that names them all. [`Page`] answers a browser; what it is asked
-//! comes from the scripts in `page`, through the three functions of `exports.rs`.
+//! [`steps!`] is the only place that names them all. A [`page`] answers a browser through the three
+//! functions of `exports.rs`.
 
 #[cfg(target_family = "wasm")]
 mod exports;
 mod figures;
 #[cfg(not(target_family = "wasm"))]
 mod lesson;
-mod page;
-mod protocol;
-mod told;
 
 use std::rc::Rc;
 
@@ -18,8 +15,7 @@ use common::Step;
 pub use figures::FIGURES;
 #[cfg(not(target_family = "wasm"))]
 use lesson::Lesson;
-pub use page::Page;
-#[cfg(not(target_family = "wasm"))]
+use page::Page;
 use show::Size;
 #[cfg(not(target_family = "wasm"))]
 use show::translations;
@@ -113,7 +109,13 @@ pub fn programs() -> Vec<show::Program> {
     PROGRAMS.map(program).to_vec()
 }
 
+/// What a browser is answered.
+pub fn page() -> Page {
+    let program = |step: Program| show::Program::new(step.name, "", Size::DEFAULT, make(step));
+    Page::new(PROGRAMS.map(program).to_vec(), &FIGURES)
+}
+
 /// What makes a step.
-pub(crate) fn make(step: Program) -> show::Make {
+fn make(step: Program) -> show::Make {
     Rc::new(move || Box::new(show::Lesson((step.make)())))
 }

@@ -1,4 +1,8 @@
-//! The steps' program on the page: it is asked, and answers.
+//! The steps' program on the page: it is asked, and answers. What asks it is in the scripts beside
+//! this crate's `src`.
+
+mod protocol;
+mod told;
 
 use image::RgbImage;
 use serde::Serialize;
@@ -19,9 +23,6 @@ use show::Size;
 use show::text;
 use show::translated;
 
-use crate::FIGURES;
-use crate::PROGRAMS;
-use crate::make;
 use crate::protocol::Ask;
 use crate::protocol::Done;
 use crate::protocol::Group;
@@ -37,27 +38,34 @@ use crate::told::explained;
 /// error, never a panic.
 pub struct Page {
     desk: Desk,
+    known: &'static [Figure],
     /// The figures that were asked for, with their names.
     figures: Vec<(&'static str, Desk)>,
 }
 
+/// A figure's name, and what makes it a program.
+pub type Figure = (&'static str, fn() -> Program);
+
 /// The most pixels of a picture on the page.
 const MAX_PIXELS: usize = 4_000_000;
 
-impl Default for Page {
-    /// The first step, as it starts.
-    fn default() -> Self {
-        let program = |(place, step): (usize, &crate::Program)| {
-            let program = Program::new(step.name, "", Size::DEFAULT, make(*step));
-            // What is to be read stands on the page already.
-            Program { diff: if place > 0 { "diff" } else { "" }, idea: "idea", ..program }
-        };
-        let programs = PROGRAMS.iter().enumerate().map(program).collect();
-        Self { desk: Desk::new(programs, 0), figures: Vec::new() }
-    }
-}
-
 impl Page {
+    /// A page with these steps, which shows the first as it starts, and with these figures.
+    ///
+    /// # Panics
+    ///
+    /// When there is no step.
+    pub fn new(steps: Vec<Program>, figures: &'static [Figure]) -> Self {
+        // What is to be read stands on the page already.
+        let read = |(place, step): (usize, Program)| Program {
+            diff: if place > 0 { "diff" } else { "" },
+            idea: "idea",
+            ..step
+        };
+        let steps = steps.into_iter().enumerate().map(read).collect();
+        Self { desk: Desk::new(steps, 0), known: figures, figures: Vec::new() }
+    }
+
     /// Answers a question: a line of JSON, below which the bytes of pictures may follow. What may be
     /// asked, and what the answers are, is in `protocol.rs`.
     ///
@@ -110,7 +118,7 @@ impl Page {
         let place = match self.figures.iter().position(|figure| figure.0 == name) {
             Some(place) => place,
             None => {
-                let known = FIGURES.iter().find(|figure| figure.0 == name);
+                let known = self.known.iter().find(|figure| figure.0 == name);
                 let (name, program) =
                     known.ok_or_else(|| text!("there is no figure '{name}'", name))?;
                 self.figures.push((name, Desk::new(vec![program()], 0)));
