@@ -1,6 +1,6 @@
 //! The whole class at once: all steps behind one door.
 //!
-//! [`steps!`] is the only place that names them all. A [`page`] answers a browser through the three
+//! [`steps!`] is the only place that names them all. A [`page`](mod@page) answers a browser through the three
 //! functions of `exports.rs`.
 
 #[cfg(target_family = "wasm")]
