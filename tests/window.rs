@@ -169,11 +169,13 @@ fn keys_and_the_mouse_arrive() {
     running.act("sleep 0.5 mouseup 1");
     running.prints("of 800x450");
     running.act("key Right key c");
-    running.prints("cargo run -p step07_specular -- --size 800x450 --samples 2 --set sphere=green");
-    running.act("keydown shift key Down key Right keyup shift key c");
     let mut expected = setup(6);
-    expected.set("sphere", "green").expect("a sphere");
-    expected.nudge("k_s", 0.1);
+    expected.nudge("red.k_s", 1.0);
+    let options = options.join(" ");
+    let settings = expected.settings().join(" --set ");
+    running.prints(&format!("cargo run -p step07_specular -- {options} --set {settings}"));
+    running.act("keydown shift key Down key Right keyup shift key c");
+    expected.nudge("red.p", 0.1);
     running.prints(&expected.settings().join(" --set "));
     running.act("click 4 key c");
     expected.zoom(0.9);
