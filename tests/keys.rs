@@ -14,6 +14,7 @@ use show::Event;
 use show::Key;
 use show::Language;
 use show::Session;
+use tests::portuguese;
 use tests::root;
 
 /// What a browser calls a key.
@@ -36,7 +37,7 @@ fn ask(page: &mut Page, question: &Value) -> Value {
 /// What of a desk keys change, as the page says it.
 fn state(desk: &Desk) -> Value {
     json!({
-        "address": desk.address(Language::English),
+        "address": desk.address(Language::ENGLISH),
         "holding": desk.is_holding(),
         "reading": format!("{:?}", desk.reading()).to_lowercase(),
         "alone": desk.alone(),
@@ -116,8 +117,8 @@ fn no_key_does_two_things() {
 #[test]
 fn the_readmes_list_all_keys() {
     for (file, heading, language) in [
-        ("README.md", "\n## Keys and flags\n", Language::English),
-        ("README.pt-BR.md", "\n## Teclas e opções\n", Language::Portuguese),
+        ("README.md", "\n## Keys and flags\n", Language::ENGLISH),
+        ("README.pt-BR.md", "\n## Teclas e opções\n", portuguese()),
     ] {
         let text = fs::read_to_string(root().join(file)).expect("text");
         let (_, section) = text.split_once(heading).expect("the section");

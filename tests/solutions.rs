@@ -57,6 +57,52 @@ const AREAS: &str = "
         let [alpha, beta, gamma] =
             [area(point, b, c), area(a, point, c), area(a, b, point)].map(|part| part / whole);";
 
+/// Solutions on the way: the step, words of its handout, the changes, and how what is said to be right so
+/// far begins.
+#[rustfmt::skip]
+pub(crate) const MILESTONES: &[(usize, &str, &[Change], &str)] = &[
+    (2, "Begin with a white pixel for a positive discriminant", &[ANY_T], "white where D > 0"),
+    (3,
+        "Solve for t first and colour the whole plane",
+        &[WHOLE_PLANE, ("lib.rs", "Color::new(alpha, beta, gamma)", "Color::new(0.9, 0.4, 0.0 * (alpha + beta + gamma))")],
+        "the plane"),
+    (3, "then β and γ", &[WHOLE_PLANE], "t, α, β and γ"),
+    (4, "then a list of one sphere", &[("lecture_scene.rs", "Scene { objects,", "objects.truncate(1); Scene { objects,")], "a list of one sphere"),
+    (4, "then a list of one sphere", &[("lecture_scene.rs", "Scene { objects,", "objects.drain(..2); objects.truncate(1); Scene { objects,")], "a list of one sphere"),
+    (4, "then the loop over all of them", &[("lecture_scene.rs", "Scene { objects,", "objects.truncate(3); Scene { objects,")], "the loop over all spheres"),
+    (5, "Begin with k_d max(0, n·l)", &[("material.rs", "light.intensity / r_squared", "1.0 + 0.0 * r_squared")], "k_d max(0, n·l)"),
+    (5,
+        "Begin with k_d max(0, n·l)",
+        &[("material.rs", "light.intensity / r_squared", "1.0"),
+         ("controls.rs", "to.group_of(\"diffuse reflection\", \"light\", light.name);", "return;")],
+        "k_d max(0, n·l)"),
+    (6,
+        "Begin with one light and its shadow",
+        &[("scene.rs", "in &self.lights", "in self.lights.iter().take(1)"), NO_AMBIENT],
+        "one light and its shadow"),
+    (6, "then loop over two lights", &[NO_AMBIENT], "two lights and their shadows"),
+    (7, "Begin with v_r and Phong's form", &[PHONG], "the highlight in Phong's form"),
+];
+
+/// A solution on the way with a mistake: the same, and how what is said of the mistake begins.
+#[rustfmt::skip]
+pub(crate) const BUT: (usize, &[Change], &str, &str) =
+    (5,
+        &[("material.rs", "light.intensity / r_squared", "1.0"),
+         ("material.rs", "if normal.dot(v) < 0.0 { -normal } else { normal }", "normal")],
+        "k_d max(0, n·l)",
+        "n is not turned");
+
+const ANY_T: Change = ("sphere.rs", "if t_min < t && t < t_max", "if true");
+
+const WHOLE_PLANE: Change =
+    ("triangle.rs", "if alpha < 0.0 || beta < 0.0 || gamma < 0.0", "if false");
+
+const NO_AMBIENT: Change =
+    ("scene.rs", "say.term(\"L_a = k_a I_a\", k_a * i_a)", "Color::ZERO * k_a * i_a");
+
+const PHONG: Change = ("material.rs", "n.dot(h)", "(2.0 * n_dot_l * n - l).dot(v)");
+
 /// Wrong solutions: the step, the changes, and how what is said of them begins; nothing when it is
 /// no mistake of the lecture.
 #[rustfmt::skip]
@@ -71,7 +117,7 @@ pub(crate) const WRONG: &[(usize, &[Change], &str)] = &[
     (1, &[("render.rs", "1.0 - (row", "(row")], "The picture is upside down"),
     (1, &[("render.rs", "(col as f32 + 0.5) /", "1.0 - (col as f32 + 0.5) /")], "The picture is mirrored"),
     (1, &[("render.rs", "image.pixel(col, row)", "image.pixel(row, col)")], ""),
-    (2, &[("sphere.rs", "if t_min < t && t < t_max", "if true")], "t > 0 is not asked"),
+    (2, &[ANY_T], "t > 0 is not asked"),
     (2, &[TEXTBOOK, ("sphere.rs", "[t_1, t_2]", "[t_1]")], "Only the smaller root"),
     (2, &[discriminant("b * b + a * (p.dot(p) - self.radius.powi(2))")], "The sign in the discriminant"),
     (2, &[discriminant("b * b - 4.0 * a * (p.dot(p) - self.radius.powi(2))")], "b² − 4 a c"),
@@ -82,7 +128,7 @@ pub(crate) const WRONG: &[(usize, &[Change], &str)] = &[
     (3, &[("triangle.rs", "alpha < 0.0 || ", "")], "α ≥ 0 is not asked"),
     (3, &[("triangle.rs", "beta < 0.0 || ", "")], "β ≥ 0 is not asked"),
     (3, &[("triangle.rs", " || gamma < 0.0", "")], "γ ≥ 0 is not asked"),
-    (3, &[("triangle.rs", "if alpha < 0.0 || beta < 0.0 || gamma < 0.0", "if false")], "Whether the point is inside"),
+    (3, &[WHOLE_PLANE], "Whether the point is inside"),
     (3, &[("triangle.rs", "if !(t_min < t && t < t_max)", "if det_abc > 0.0 || !(t_min < t && t < t_max)")], "A triangle is seen from one side only"),
     (3, &[("triangle.rs", "if !(t_min < t && t < t_max)", "if det_abc < 0.0 || !(t_min < t && t < t_max)")], "A triangle is seen from one side only"),
     (3, &[("triangle.rs", "if !(t_min < t && t < t_max)", "if t.is_nan()")], "t > 0 is not asked"),
@@ -112,7 +158,7 @@ pub(crate) const WRONG: &[(usize, &[Change], &str)] = &[
     (5, &[("triangle.rs", "self.normal.normalize()", "self.normal")], "A triangle's normal is not"),
     (5, &[("material.rs", "light.intensity / r_squared", "light.intensity / (4.0 * std::f32::consts::PI * r_squared)")], "I is divided by 4π r²"),
     (5, &[("lecture_scene.rs", "at(4.0, 6.0, 5.0), 42.0", "at(4.0, 6.0, -5.0), 42.0")], ""),
-    (6, &[("scene.rs", "say.term(\"L_a = k_a I_a\", k_a * i_a)", "Color::ZERO * k_a * i_a")], "The ambient term L_a is missing"),
+    (6, &[NO_AMBIENT], "The ambient term L_a is missing"),
     (6, &[("scene.rs", "if !self.is_blocked(point, light, say)", "if true")], "There are no shadows"),
     (6, &[("scene.rs", "in &self.lights", "in self.lights.iter().take(1)")], "The second light is left out"),
     (6, &[("scene.rs", "self.epsilon, 1.0, &Silent", "0.0, 1.0, &Silent")], "ε is 0"),
@@ -133,7 +179,7 @@ pub(crate) const WRONG: &[(usize, &[Change], &str)] = &[
         "The ambient term is added once for each light"),
     (6, &[("scene.rs", "if !self.is_blocked", "if self.is_blocked")], "It is the wrong way round"),
     (7, &[("material.rs", "self.k_s == 0.0 || n_dot_l <= 0.0", "self.k_s == 0.0")], "A light behind the surface"),
-    (7, &[("material.rs", "n.dot(h)", "(2.0 * n_dot_l * n - l).dot(v)")], "The highlight is Phong's"),
+    (7, &[PHONG], "The highlight is Phong's"),
     (7, &[("material.rs", "powf(p)", "powf(p / 4.0)")], "p is too small by a factor 4"),
     (7, &[("material.rs", "powf(p)", "powf(4.0 * p)")], "p is too large by a factor 4"),
     (7, &[("material.rs", "(v + l).normalize()", "(v + l) / 2.0")], "h is (v + l)/2"),

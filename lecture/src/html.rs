@@ -36,9 +36,6 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// glam computes with it, and every browser has had it since 2023.
 const FLAGS: &str = "-Ctarget-feature=+simd128";
 
-/// The languages of the page in the order in which it goes round, and a step's handout in each.
-const LANGUAGES: [(&str, &str); 2] = [("en", "README.md"), ("pt-BR", "README.pt-BR.md")];
-
 /// What the page runs.
 const SCRIPT: &str = concat!(
     "\"use strict\";\n",
@@ -84,9 +81,13 @@ pub fn html(program: &[u8]) -> Result<String> {
         let difference = root.join("tests/diffs").join(program.name).with_extension("diff");
         // There is none of the first step.
         let difference = fs::read_to_string(difference).unwrap_or_default();
-        for (language, file) in LANGUAGES {
+        for language in Language::all() {
+            let file = match language {
+                Language::ENGLISH => "README.md".to_owned(),
+                language => format!("README.{}.md", language.tag()),
+            };
             let handout = handout::read(&folder.join(file), program.name)?;
-            articles.push_str(&article(&handout, number, language));
+            articles.push_str(&article(&handout, number, language.tag()));
         }
         if !difference.is_empty() {
             let _ = writeln!(
@@ -119,14 +120,14 @@ fn texts(sources: &[&str]) -> String {
         let quoted = format!("\"{english}\"");
         sources.iter().any(|source| source.contains(&quoted))
     };
-    let texts = LANGUAGES.map(|(tag, _)| {
-        let catalogue = if tag == "en" { Vec::new() } else { Language::catalogue() };
-        let said = catalogue.into_iter().filter(is_said);
+    let texts = Language::all().map(|language| {
+        let tag = language.tag();
+        let said = language.catalogue().into_iter().filter(is_said);
         let pairs: Vec<String> =
             said.map(|(english, text)| format!("{english:?}:{text:?}")).collect();
         format!("{tag:?}:{{{}}}", pairs.join(","))
     });
-    format!("{{{}}}", texts.join(","))
+    format!("{{{}}}", texts.collect::<Vec<_>>().join(","))
 }
 
 /// `script` without the lines that only say something.

@@ -1,6 +1,6 @@
 //! The whole class at once: all steps behind one door.
 //!
-//! [`steps!`] is the only place that names them all. A [`page`] answers a browser through the three
+//! [`steps!`] is the only place that names them all. A [`page`](mod@page) answers a browser through the three
 //! functions of `exports.rs`; what the browser shows around it is written in `html.rs`.
 
 #[cfg(not(target_family = "wasm"))]
@@ -29,6 +29,8 @@ pub use html::html;
 use lesson::Lesson;
 use page::Page;
 use show::Size;
+#[cfg(not(target_family = "wasm"))]
+use show::translations;
 
 /// A step as a program.
 #[derive(Clone, Copy, Debug)]
@@ -37,12 +39,9 @@ pub struct Program {
     pub name: &'static str,
     /// Makes the step as it starts.
     pub make: fn() -> Box<dyn Step>,
-    /// Its handout, in Markdown.
+    /// Its handout in each language, in Markdown.
     #[cfg(not(target_family = "wasm"))]
-    pub handout: &'static str,
-    /// The same in Portuguese.
-    #[cfg(not(target_family = "wasm"))]
-    pub handout_in_portuguese: &'static str,
+    pub handouts: &'static [&'static str],
     /// Its diff to the step before; "" of the first.
     #[cfg(not(target_family = "wasm"))]
     pub diff: &'static str,
@@ -85,16 +84,20 @@ macro_rules! program {
             name: stringify!($step),
             make: || Box::new($step::Lesson::default()),
             #[cfg(not(target_family = "wasm"))]
-            handout: include_str!(concat!("../../", stringify!($step), "/README.md")),
-            #[cfg(not(target_family = "wasm"))]
-            handout_in_portuguese: include_str!(concat!(
-                "../../",
-                stringify!($step),
-                "/README.pt-BR.md"
-            )),
+            handouts: translations!(handouts, $step),
             #[cfg(not(target_family = "wasm"))]
             diff: $diff,
         }
+    };
+}
+
+#[cfg(not(target_family = "wasm"))]
+macro_rules! handouts {
+    ($step:ident $($tag:literal)*) => {
+        &[
+            include_str!(concat!("../../", stringify!($step), "/README.md")),
+            $(include_str!(concat!("../../", stringify!($step), "/README.", $tag, ".md"))),*
+        ]
     };
 }
 
@@ -105,12 +108,15 @@ steps!(programs);
 pub fn programs() -> Vec<show::Program> {
     let program = |step: Program| {
         // They are shown as long as the window.
-        let Lesson { concept, slides, idea } = Lesson::read(step.handout);
-        let (concept, slides, idea) = (concept.leak(), slides.leak(), idea.leak());
+        let mut lessons = step.handouts.iter().map(|handout| {
+            let Lesson { concept, slides, idea } = Lesson::read(handout);
+            (&*concept.leak(), &*slides.leak(), &*idea.leak())
+        });
+        let (concept, slides, idea) = lessons.next().unwrap_or_default();
+        let others = lessons.map(|(concept, _, idea)| [concept, idea]);
+        let texts = std::iter::once([concept, idea]).chain(others).collect();
         let program = show::Program::new(step.name, concept, Size::DEFAULT, make(step));
-        let in_portuguese = Lesson::read(step.handout_in_portuguese);
-        let portuguese = Some([&*in_portuguese.concept.leak(), &*in_portuguese.idea.leak()]);
-        show::Program { slides, diff: step.diff, idea, portuguese, ..program }
+        show::Program { slides, diff: step.diff, idea, texts, ..program }
     };
     PROGRAMS.map(program).to_vec()
 }

@@ -6,7 +6,7 @@ use image::RgbImage;
 use image::imageops;
 use image::imageops::FilterType;
 
-use crate::Mistake;
+use crate::Diagnosis;
 use crate::Pair;
 use crate::case::Case;
 use crate::case::Scene;
@@ -23,14 +23,6 @@ use show::render_parallel;
 use show::side_by_side;
 use show::text;
 use show::written;
-
-/// The mistakes in one line each.
-pub(crate) fn said_of(mistakes: &[&Mistake]) -> String {
-    match mistakes {
-        [first, second] => text!("{first}\nOr: {second}\n", first, second),
-        _ => mistakes.iter().map(|mistake| format!("{mistake}\n")).collect(),
-    }
-}
 
 /// Whether the program of step `name` is `program`, or of `program` itself whether its pixel loop is
 /// right; and if not, where and perhaps why.
@@ -107,7 +99,7 @@ pub(crate) fn check(program: &Program, name: &str) -> Result<Verdict> {
     );
     text += &format!("{comparison}\n");
     let pairs: Vec<Pair<'_>> = compared.iter().map(|(_, pair, _)| Pair { ..*pair }).collect();
-    text += &said_of(&Mistake::named(&pairs));
+    text += &Diagnosis::new(program.name, &pairs).to_string();
     if let Comparison::Different(difference) = comparison {
         let (col, row) = (difference.worst.0 as usize, difference.worst.1 as usize);
         let (width, height) = (case.size.width(), case.size.height());

@@ -1,4 +1,4 @@
-//! What a mistake that is known makes of a picture, and which one a picture shows.
+//! What a mistake makes of a picture.
 
 use std::fmt;
 
@@ -9,21 +9,19 @@ use crate::known;
 use crate::known::center;
 use crate::said::added;
 use crate::said::told;
+use crate::sample::Place;
 use crate::symbol::VISIBLE;
 use common::Camera;
 use common::Color;
 use common::Explanation;
 use common::Pixel;
-use common::Place;
 use common::Ray;
 use common::Recorder;
 use common::Slip;
 use common::Step;
 use show::Frame;
-use show::TOLERANCE;
 use show::encode;
 use show::first_hit;
-use show::off;
 use show::translated;
 
 /// A mistake that the lecture knows: what is wrong, and where to look.
@@ -53,16 +51,6 @@ pub(crate) enum Kind {
     Encoded(fn(Color) -> Color),
 }
 
-/// Two pictures that should be equal, and how the one expected was made.
-pub struct Pair<'a> {
-    /// What was expected.
-    pub frame: Frame<'a>,
-    /// Its picture.
-    pub expected: &'a RgbImage,
-    /// The other picture, of the same size.
-    pub found: &'a RgbImage,
-}
-
 impl fmt::Display for Mistake {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { what, slide, place, .. } = self;
@@ -74,36 +62,6 @@ impl fmt::Display for Mistake {
 impl Mistake {
     /// All that are known.
     pub const ALL: &'static [Self] = known::ALL;
-
-    /// The mistake that explains how the pictures found differ: nine in ten of the pixels that do,
-    /// nearly all of those that do not, and more than any other; two if either may be it. None when
-    /// unsure.
-    pub fn named(pairs: &[Pair<'_>]) -> Vec<&'static Self> {
-        let differing = sample(pairs, 600, |off| off > TOLERANCE);
-        let equal = sample(pairs, 400, |off| off <= TOLERANCE);
-        if differing.len() < 4 {
-            return Vec::new();
-        }
-        let misfits = |mistake: &'static Self| {
-            let fits = |&(pair, col, row): &(&Pair<'_>, u32, u32)| {
-                let pixel = mistake.pixel(&pair.frame, col, row);
-                off(pixel, pair.found.get_pixel(col, row).0) <= TOLERANCE
-            };
-            let count = |places: &[(&Pair<'_>, u32, u32)], most: usize| {
-                let misfits = places.iter().filter(|place| !fits(place)).take(most + 1).count();
-                (misfits <= most).then_some(misfits)
-            };
-            Some(count(&differing, differing.len() / 10)? + count(&equal, equal.len() / 50)?)
-        };
-        let mut known: Vec<_> =
-            Self::ALL.iter().filter_map(|mistake| Some((misfits(mistake)?, mistake))).collect();
-        known.sort_by_key(|(misfits, _)| *misfits);
-        let best = known.first().map_or(0, |(misfits, _)| *misfits) + differing.len() / 100;
-        let known = known.into_iter().filter(|(misfits, _)| *misfits <= best);
-        let mut known: Vec<&Self> = known.map(|(_, mistake)| mistake).collect();
-        known.dedup_by_key(|mistake| mistake.what);
-        if known.len() > 2 { Vec::new() } else { known }
-    }
 
     /// What the pixel (col, row) of `frame` is with this mistake.
     pub fn pixel(&self, frame: &Frame<'_>, col: u32, row: u32) -> [u8; 3] {
@@ -139,7 +97,7 @@ impl Mistake {
                 let mut color = said.color;
                 for light in said.told.all() {
                     let ray = light.lines().find_map(|line| match line.place {
-                        Some(Place::ShadowRay(ray, _)) => Some(ray),
+                        Some(common::Place::ShadowRay(ray, _)) => Some(ray),
                         _ => None,
                     });
                     let Some(ray) = ray else { continue };
@@ -165,6 +123,15 @@ pub(crate) fn centered(frame: &Frame<'_>) -> RgbImage {
     })
 }
 
+/// What a place shows, linear, with one ray through its centre and `slips`.
+pub(crate) fn radiance(place: &Place<'_>, slips: &[Slip]) -> Color {
+    let Frame { step, camera, size, .. } = place.pair.frame;
+    let (col, row) = (place.col as usize, place.row as usize);
+    let pixel = Pixel { col, row, width: size.width(), height: size.height() };
+    let (u, v) = center(pixel);
+    seen(step, camera.generate_ray(u, v), pixel, slips).color
+}
+
 /// A camera with one ray, whatever (u, v) it is asked for.
 struct OneRay(Ray);
 
@@ -183,19 +150,4 @@ fn seen(step: &dyn Step, ray: Ray, pixel: Pixel, slips: &[Slip]) -> Explanation 
 
 fn byte(value: f32) -> u8 {
     (255.0 * value).round() as u8
-}
-
-/// About `most` of the places where the pictures are so far off, evenly from all of them.
-fn sample<'a>(
-    pairs: &'a [Pair<'a>], most: usize, is_it: impl Fn(u8) -> bool,
-) -> Vec<(&'a Pair<'a>, u32, u32)> {
-    let places = || {
-        pairs.iter().flat_map(|pair| {
-            let pixels = pair.expected.enumerate_pixels().zip(pair.found.pixels());
-            let off = pixels.filter(|((_, _, a), b)| is_it(off(a.0, b.0)));
-            off.map(move |((col, row, _), _)| (pair, col, row))
-        })
-    };
-    let stride = (places().count() / most).max(1);
-    places().step_by(stride).collect()
 }

@@ -70,6 +70,12 @@ impl Said<'_> {
         Some(d / self.get(A)? + self.get(Q_SQUARED)?)
     }
 
+    /// `t` of the sphere that is spoken of, if that is the one with this `index`; of others it is no hit.
+    pub(crate) fn of_sphere(&self, index: usize, t: f32) -> Option<f32> {
+        let spheres = self.0.lines().filter(|line| Q_SQUARED.of(line).is_some()).count();
+        Some(if spheres == index + 1 { t } else { -1.0 })
+    }
+
     /// Where the viewing ray meets the plane of the triangle that is spoken of.
     pub(crate) fn on_plane(&self) -> Option<Vec3> {
         Some(self.viewing_ray()?.at(self.get(T)?))

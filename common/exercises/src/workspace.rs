@@ -80,7 +80,7 @@ fn steps_in(root: &Path) -> Vec<String> {
 /// The path of the program that cargo's `message` says it has built. The whole language of JSON
 /// would take longer to compile than all of this: in paths only a backslash is written otherwise.
 fn executable(message: &str) -> Option<PathBuf> {
-    let (_, rest) = message.split_once(r#""executable":""#)?;
+    let (_, rest) = message.split_once("\"executable\":\"")?;
     let (path, _) = rest.split_once('"')?;
-    Some(path.replace(r"\\", r"\").into())
+    Some(path.replace("\\\\", "\\").into())
 }

@@ -84,7 +84,7 @@ pub use frame::Size;
 pub use frame::SizeError;
 pub use frame::check_loop;
 pub use language::Language;
-pub use language::composed;
+pub use language::filled;
 pub use language::translated;
 pub use outside::Outside;
 pub use over::compared;

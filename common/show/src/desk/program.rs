@@ -23,8 +23,8 @@ pub struct Program {
     /// Its equation and idea in short, a paragraph a line, equations indented; "" where there is
     /// none to be shown.
     pub idea: &'static str,
-    /// Concept and idea in Portuguese, where the catalogue does not have them.
-    pub portuguese: Option<[&'static str; 2]>,
+    /// Concept and idea in each language, in the order of all, where the catalogues do not have them.
+    pub texts: Vec<[&'static str; 2]>,
     /// Whether it is a step's figure, an example: its picture is first shown alone.
     pub is_figure: bool,
 }
@@ -40,16 +40,16 @@ impl Program {
             slides: "",
             diff: "",
             idea: "",
-            portuguese: None,
+            texts: Vec::new(),
             is_figure: false,
         }
     }
 
     /// Concept and idea in the language that is spoken.
     pub(crate) fn told(&self) -> (&'static str, &'static str) {
-        match self.portuguese {
-            Some([concept, idea]) if Language::spoken() == Language::Portuguese => (concept, idea),
-            _ => (translated(self.concept), self.idea),
+        match self.texts.get(Language::spoken().place()) {
+            Some([concept, idea]) => (concept, idea),
+            None => (translated(self.concept), self.idea),
         }
     }
 

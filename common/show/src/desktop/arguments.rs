@@ -66,6 +66,7 @@ pub(super) fn command(suite: &Suite) -> Command {
             Err(text!("it takes a number from 0 to 1: how much of the width is the step before's"))
         }
     };
+    let names: Vec<&str> = Language::all().map(Language::name).collect();
     let file = |name| Arg::new(name).long(name).value_name("FILE");
     // What begins with a hyphen is a value too: -5x3 is a size, if a wrong one.
     let option =
@@ -119,7 +120,7 @@ pub(super) fn command(suite: &Suite) -> Command {
                 .conflicts_with("compare"),
         )
         .arg(file("compare").value_parser(PathBufValueParser::new()).conflicts_with("pixel"))
-        .arg(option("language", "pt|en").value_parser(Language::ALL.map(|(name, _)| name)))
+        .arg(option("language", "LANG").value_parser(names))
 }
 
 /// The language that `--language` asks for, or else the system's. It is looked for before all other
@@ -132,8 +133,8 @@ pub(super) fn language(arguments: &[OsString]) -> Language {
         "--language" => next.map(String::as_str),
         _ => argument.strip_prefix("--language="),
     });
-    let known = |name: &str| Language::ALL.into_iter().find(|(known, _)| *known == name);
-    named.find_map(known).map_or_else(of_system, |(_, language)| language)
+    let known = |name: &str| Language::all().find(|known| known.name() == name);
+    named.find_map(known).unwrap_or_else(of_system)
 }
 
 /// The language of the first of the variables LC_ALL, LC_MESSAGES and LANG that says something, or
