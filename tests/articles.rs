@@ -36,11 +36,11 @@ pub(crate) static ELEMENTS: LazyLock<Vec<Element<'_>>> = LazyLock::new(|| elemen
 /// Each step's handouts: its number, the text, and the article.
 fn handouts() -> impl Iterator<Item = (usize, &'static str, Element<'static>)> {
     (1..).zip(PROGRAMS).flat_map(|(number, program)| {
-        let texts = [("en", program.handout), ("pt-BR", program.handout_in_portuguese)];
-        texts.map(|(language, text)| {
+        Language::all().zip(program.handouts).map(move |(language, text)| {
+            let language = language.tag();
             let article = by_id(&ELEMENTS, &format!("handout{number:02}-{language}"));
             assert_eq!(article.says("lang").as_deref(), Some(language));
-            (number, text, article)
+            (number, *text, article)
         })
     })
 }
@@ -269,7 +269,7 @@ fn all_of_it_is_there_and_nothing_is_elsewhere() {
 #[test]
 fn each_text_of_the_page_has_a_translation() {
     let texts: Value = serde_json::from_str(by_id(&ELEMENTS, "texts").inner).expect("JSON");
-    let catalogue = Language::catalogue();
+    let catalogue = portuguese().catalogue();
     let said = ELEMENTS.iter().flat_map(|it| ["data-text", "data-name"].map(|name| it.says(name)));
     for english in said.flatten().chain(scripts::said()) {
         let portuguese = texts["pt-BR"][&english].as_str();
