@@ -37,7 +37,7 @@ pub const fn light(position: Vec3, intensity: f32) -> Light {
 /// These before black, without lights.
 pub fn scene(spheres: &[(Ball, Paint)], triangles: &[([Vec3; 3], Paint)]) -> Scene {
     let object = |surface, material| Object { name: "object", material, surface };
-    let sphere = |(ball, paint): &(Ball, Paint)| object(Surface::Sphere(ball.clone()), *paint);
+    let sphere = |(ball, paint): &(Ball, Paint)| object(Surface::Sphere(*ball), *paint);
     let triangle = |(abc, paint): &_| object(Surface::Triangle(Triangle::new(*abc)), *paint);
     let objects = spheres.iter().map(sphere).chain(triangles.iter().map(triangle)).collect();
     Scene { objects, background: Color::ZERO, lights: Vec::new(), ambient: 0.0, epsilon: 1e-3 }

@@ -177,12 +177,12 @@ fn what_has_no_brightness_is_black() {
     let inside = Light { position: Vec3::ZERO, ..ABOVE };
     for epsilon in [0.0, 1e-3, UNSHADOWED] {
         for (spheres, triangles, light, ambient, ray, why) in [
-            (&[][..], &flat[..], inside, 1.0, down.clone(), "r = 0, and l is no direction"),
-            (&point, &[], ABOVE, 0.0, down.clone(), "no n·l > 0 without a normal"),
-            (&[], &dot, ABOVE, 1.0, down.clone(), "a triangle that is a point is not hit"),
-            (&[], &line, ABOVE, 1.0, down.clone(), "a triangle that is a line is not hit"),
-            (&[], &flat, ABOVE, 1.0, nowhere.clone(), "a ray without a direction hits no triangle"),
-            (&point, &[], ABOVE, 1.0, nowhere.clone(), "a ray without a direction hits no sphere"),
+            (&[][..], &flat[..], inside, 1.0, down, "r = 0, and l is no direction"),
+            (&point, &[], ABOVE, 0.0, down, "no n·l > 0 without a normal"),
+            (&[], &dot, ABOVE, 1.0, down, "a triangle that is a point is not hit"),
+            (&[], &line, ABOVE, 1.0, down, "a triangle that is a line is not hit"),
+            (&[], &flat, ABOVE, 1.0, nowhere, "a ray without a direction hits no triangle"),
+            (&point, &[], ABOVE, 1.0, nowhere, "a ray without a direction hits no sphere"),
         ] {
             let scene = scene(spheres, triangles);
             let scene = Scene { lights: vec![light], ambient, epsilon, ..scene };
