@@ -6,7 +6,6 @@
 //! git does with `-O.diff-order`: the lesson first.
 
 use std::collections::BTreeMap;
-use std::fs;
 
 use similar::Algorithm;
 use similar::ChangeTag;

@@ -7,10 +7,6 @@ mod handout_pixels;
 mod readme;
 mod style;
 
-use std::collections::BTreeSet;
-use std::path::Path;
-
-use lecture::programs;
 use pulldown_cmark::HeadingLevel;
 use readme::Part;
 use readme::Readme;
@@ -19,22 +15,6 @@ use readme::left_to_the_reader;
 use readme::originals;
 use readme::readmes;
 use tests::prelude::*;
-
-/// The setup of a step with what `arguments` set.
-fn set_up(index: usize, arguments: &str) -> Setup {
-    let mut setup = setup(index);
-    let mut words = arguments.split_whitespace();
-    while let Some(flag) = words.next() {
-        let value = words.next().unwrap_or("");
-        let (name, value) = match flag {
-            "--camera" => ("camera", value),
-            "--set" => value.split_once('=').unwrap_or_else(|| panic!("{arguments}: NAME=VALUE")),
-            _ => continue,
-        };
-        setup.set(name, value).unwrap_or_else(|error| panic!("{arguments}: {error}"));
-    }
-    setup
-}
 
 /// The `#name` that git hosts give a heading.
 fn anchor(heading: &str) -> String {
@@ -63,10 +43,8 @@ fn every_link_picture_slide_and_file_is_there() {
             let (file, name) = link.split_once('#').unwrap_or((link, ""));
             let folder = readme.path.parent().expect("a file is in a folder");
             let path = if file.is_empty() { readme.path.clone() } else { folder.join(file) };
-            let has_anchor = || {
-                let is_it = |part: &Part| matches!(part, Part::Heading(_, heading) if anchor(heading) == name);
-                Readme::read(&path).parts.iter().any(is_it)
-            };
+            let is_it = |part: &Part| matches!(part, Part::Heading(_, it) if anchor(it) == name);
+            let has_anchor = || Readme::read(&path).parts.iter().any(is_it);
             if !root().join(&path).exists() || !(name.is_empty() || has_anchor()) {
                 fail(format!("{link} leads nowhere"));
             }
@@ -79,30 +57,25 @@ fn every_link_picture_slide_and_file_is_there() {
                 Part::Html(html) if html.contains("src=") || html.contains("href=") => {
                     fail(format!("{html} is not Markdown"));
                 }
-                Part::Fence(language, _) if ["sh", "diff", "rust"].contains(&language.as_str()) => {
-                }
-                // The layout.
-                Part::Fence(language, text) if language == "text" => {
-                    let paths = commands(text).filter(|path| *path != "…");
-                    paths
-                        .filter(|path| !root().join(path).exists())
-                        .for_each(|path| fail(format!("no {path}")));
-                }
-                // What programs print stands in no block: it would be another in each language.
-                Part::Fence(language, text) => fail(format!("what is {language:?}? {text}")),
+                // What programs print stands in no block: it would be another in each language. A text is
+                // the layout.
+                Part::Fence(language, text) => match &**language {
+                    "sh" | "diff" | "rust" => {}
+                    "text" => commands(text)
+                        .filter(|path| *path != "…" && !root().join(path).exists())
+                        .for_each(|path| fail(format!("no {path}"))),
+                    _ => fail(format!("what is {language:?}? {text}")),
+                },
                 _ => {}
             }
         }
-        for text in readme.texts() {
-            let is_capital = |part: &str| {
-                part.contains(|letter: char| letter.is_ascii_uppercase())
-                    && !part.contains(|letter: char| letter.is_lowercase())
-            };
-            let left = text.split_whitespace().find(|word| {
-                let all_capital = word.contains('_') && word.split('_').all(is_capital);
-                all_capital || word.contains(['{', '}']) || ["TODO", "XXX"].contains(word)
-            });
-            left.iter().for_each(|word| fail(format!("{word} is left to be filled in")));
+        for word in readme.texts().flat_map(str::split_whitespace) {
+            let is_capital =
+                |part: &str| !part.is_empty() && part.chars().all(|it| it.is_ascii_uppercase());
+            let all_capital = word.contains('_') && word.split('_').all(is_capital);
+            if all_capital || word.contains(['{', '}']) || ["TODO", "XXX"].contains(&word) {
+                fail(format!("{word} is left to be filled in"));
+            }
         }
     }
     none(wrong);
@@ -320,20 +293,11 @@ fn both_languages_say_the_same() {
 }
 
 /// The window with all steps at step 06, where a pixel was clicked and `key` pressed.
-fn in_class((col, row): (f32, f32), key: char) -> RgbImage {
-    let window = Size::DEFAULT;
-    let mut session = Session::new(Desk::new(programs(), 5));
-    session.handle(Event::Resize(window));
-    let Area { left, top, width, height } = session.picture_area();
-    let x = left + width * (col + 0.5) / window.width() as f32;
-    let y = top + height * (row + 0.5) / window.height() as f32;
-    for event in [Event::Press(x, y), Event::Release(x, y), Event::Key(Key::Char(key), false)] {
-        session.handle(event);
-    }
-    let pictures = pictures_of(session.desk(), session.shown_size());
-    let mut image = RgbImage::new(window.width() as u32, window.height() as u32);
-    session.paint(&mut image, &pictures.iter().collect::<Vec<_>>(), "");
-    image
+fn in_class((col, row): (f32, f32), key: &str) -> RgbImage {
+    let mut session = window(Desk::new(programs(), 5));
+    click(&mut session, ((col + 0.5) / 960.0, (row + 0.5) / 540.0));
+    typed(&mut session, key);
+    painted(&mut session, Size::DEFAULT, "")
 }
 
 #[test]
@@ -344,8 +308,8 @@ fn the_pictures_of_the_readmes_are_what_the_programs_show() {
     let mut pictures = vec![("picture.png", top)];
     // The last digits of the numbers in them differ between processors.
     if cfg!(target_arch = "x86_64") {
-        pictures.push(("lecture/figures/divider.png", in_class((638.0, 482.0), 'D')));
-        pictures.push(("lecture/figures/outside.png", in_class((671.0, 376.0), 'O')));
+        pictures.push(("lecture/figures/divider.png", in_class((638.0, 482.0), "D")));
+        pictures.push(("lecture/figures/outside.png", in_class((671.0, 376.0), "O")));
     }
     let held = pictures.iter().map(|(path, found)| hold_picture(&root().join(path), found, &[]));
     none(held.filter_map(Result::err).collect());

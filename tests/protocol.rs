@@ -1,9 +1,7 @@
 //! What the page is answered, as a browser would ask, without one.
 
-use lecture::PROGRAMS;
 use page::Page;
 use serde_json::Value;
-use serde_json::json;
 use tests::prelude::*;
 
 /// A page that is asked in JSON.
@@ -144,39 +142,29 @@ fn two_pictures_are_shown_as_they_are_compared() {
 
 #[test]
 fn each_symbol_has_the_number_of_what_is_seen() {
+    let told = explained(&setup(6), (465, 215), Size::DEFAULT);
     let explained = Asked::at("#step07&pixel=465,215").ask(json!("explain"));
-    let step = step(6);
-    let pixel = Pixel { col: 465, row: 215, width: 960, height: 540 };
-    let told = step.explain(&*step.view().camera(960.0 / 540.0), pixel);
-    let value = |scope: &Scope, symbol: &str| {
-        let line = scope.lines().find(|line| line.symbol() == symbol)?;
-        Some(texts(&line.value).iter().map(|text| text.trim().to_owned()).collect::<Vec<_>>())
-    };
-    let found = |place: usize, symbol: &str| {
-        let values = explained["symbols"][place]["values"].as_array().expect("symbols");
-        let mut values = values.iter().filter(|pair| pair[0] == symbol).map(|pair| &pair[1]);
-        let found = values.next();
-        assert!(values.next().is_none(), "{symbol} stands twice");
-        found.cloned()
-    };
     let scope = |name| told.scope(name).expect("it is told");
     let red = scope("intersection").scopes().next().expect("it is seen");
     let (ray, lit) = (scope("viewing ray"), scope("illumination"));
     let sum = lit.scopes().last().expect("it is summed");
-    for (scope, symbol) in
-        [(ray, "u"), (ray, "p"), (red, "t₁"), (red, "D"), (lit, "k_a"), (sum, "L")]
-    {
-        let expected = value(scope, symbol).unwrap_or_else(|| panic!("{symbol} is told"));
-        assert_eq!(found(0, symbol), Some(json!(expected)), "{symbol}");
-    }
-    assert_eq!(found(0, "n·l"), None);
+    let seen = [(ray, "u"), (ray, "p"), (red, "t₁"), (red, "D"), (lit, "k_a"), (sum, "L")];
+    let mut expected: Vec<(usize, &Scope, &str)> = seen.map(|(of, symbol)| (0, of, symbol)).into();
     for (place, light) in (1..).zip(lit.scopes().take(2)) {
         assert_eq!(explained["symbols"][place]["of"], light.name);
-        for symbol in ["n·l", "I/r²", "k_s", "V", "p"] {
-            let expected = value(light, symbol).unwrap_or_else(|| panic!("{symbol} is told"));
-            assert_eq!(found(place, symbol), Some(json!(expected)), "{}: {symbol}", light.name);
-        }
+        expected.extend(["n·l", "I/r²", "k_s", "V", "p"].map(|symbol| (place, light, symbol)));
     }
+    let found = |place: usize, symbol: &str| {
+        let values = explained["symbols"][place]["values"].as_array().expect("symbols");
+        let values = values.iter().filter(|pair| pair[0] == symbol).map(|pair| pair[1].clone());
+        values.collect::<Vec<_>>()
+    };
+    for (place, scope, symbol) in expected {
+        let line = scope.lines().find(|line| line.symbol() == symbol).expect(symbol);
+        let value: Vec<String> = texts(&line.value).iter().map(|it| it.trim().to_owned()).collect();
+        assert_eq!(found(place, symbol), [json!(value)], "{}: {symbol}", scope.name);
+    }
+    assert_eq!(found(0, "n·l"), [Value::Null; 0]);
     // Where there is but one of a kind, there is nothing to be chosen.
     for address in ["#step05&pixel=465,215", "#step02&pixel=480,270", "#step07&pixel=1,1"] {
         let symbols = Asked::at(address).ask(json!("explain"))["symbols"].clone();

@@ -1,8 +1,5 @@
 //! READMEs, taken apart into what can be held to something.
 
-use std::path::Path;
-use std::path::PathBuf;
-
 use pulldown_cmark::CodeBlockKind;
 use pulldown_cmark::Event;
 use pulldown_cmark::HeadingLevel;
@@ -10,12 +7,7 @@ use pulldown_cmark::Options;
 use pulldown_cmark::Parser;
 use pulldown_cmark::Tag;
 use pulldown_cmark::TagEnd;
-use show::Language;
-use tests::STEPS;
-use tests::files_below;
-use tests::portuguese;
-use tests::root;
-use tests::source;
+use tests::prelude::*;
 
 /// The languages, and what a handout is called in each.
 pub(crate) fn languages() -> [(Language, &'static str); 2] {
@@ -191,7 +183,7 @@ pub(crate) fn readmes() -> Vec<Readme> {
     let folders = STEPS.into_iter().chain(["common", "lecture", "tests"]);
     let mut paths: Vec<PathBuf> =
         folders.flat_map(|folder| files_below(&root().join(folder))).collect();
-    paths.extend(tests::run::files(root()).into_iter().map(|name| root().join(name)));
+    paths.extend(files(root()).into_iter().map(|name| root().join(name)));
     paths.retain(|path| {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         name.starts_with("README") || name == "CONTRIBUTING.md"
