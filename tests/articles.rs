@@ -36,11 +36,11 @@ pub(crate) static ELEMENTS: LazyLock<Vec<Element<'_>>> = LazyLock::new(|| elemen
 /// Each step's handouts: its number, the text, and the article.
 fn handouts() -> impl Iterator<Item = (usize, &'static str, Element<'static>)> {
     (1..).zip(PROGRAMS).flat_map(|(number, program)| {
-        let texts = [("en", program.handout), ("pt-BR", program.handout_in_portuguese)];
-        texts.map(|(language, text)| {
+        Language::all().zip(program.handouts).map(move |(language, text)| {
+            let language = language.tag();
             let article = by_id(&ELEMENTS, &format!("handout{number:02}-{language}"));
             assert_eq!(article.says("lang").as_deref(), Some(language));
-            (number, text, article)
+            (number, *text, article)
         })
     })
 }
@@ -184,31 +184,34 @@ fn what_is_to_be_tried_is_what_the_link_opens() {
                 continue;
             }
             tried += 1;
-            assert_eq!(shown.step(), number, "{address}");
-            let mut setup = setup(number - 1);
+            let mut expected = Desk::new(lecture::programs(), number - 1);
             let text = link.text();
-            let (mut words, mut pin) = (text.split_whitespace(), None);
+            let mut words = text.split_whitespace();
             while let Some(flag) = words.next() {
-                let mut value = || words.next().expect("a value");
-                match flag {
+                let mut value = || words.next().expect("a value").to_owned();
+                let whole = |number: &str| number.parse().expect("a whole number");
+                let asked = match flag {
                     "--set" => {
-                        let (name, value) = value().split_once('=').expect("a setting");
-                        setup.set(name, value).expect("it can be set");
+                        let setting = value();
+                        let (name, value) = setting.split_once('=').expect("a setting");
+                        Act::Set(name.to_owned(), value.to_owned())
                     }
-                    "--camera" => setup.set("camera", value()).expect("a camera"),
-                    "--pixel" => pin = Some(value()),
-                    "--outside" => assert!(shown.onlooker().is_some(), "{text}"),
-                    "--size" => assert_eq!(shown.picture_size().to_string(), value(), "{text}"),
+                    "--camera" => Act::Set("camera".to_owned(), value()),
+                    "--pixel" => {
+                        let place = value();
+                        let (col, row) = place.split_once(',').expect("a pixel");
+                        Act::PinPixel(whole(col), whole(row))
+                    }
+                    "--show" => Act::ShowNamed(value()),
+                    "--what-if" => Act::Answer(value()),
+                    "--outside" => Act::Outside,
+                    "--size" => Act::Size(value().parse().expect("a size")),
                     _ => panic!("{text}"),
-                }
+                };
+                act(&mut expected, asked);
             }
-            assert_eq!(
-                format!("{:?}", shown.setup().list()),
-                format!("{:?}", setup.list()),
-                "{text}"
-            );
-            let pinned = shown.pinned().map(|pixel| format!("{},{}", pixel.col, pixel.row));
-            assert_eq!(pinned.as_deref(), pin, "{text}");
+            let [shown, expected] = [shown, expected].map(|desk| desk.address(Language::ENGLISH));
+            assert_eq!(shown, expected, "{text}");
         }
         assert!(tried > 3, "step {number}");
     }
@@ -269,7 +272,7 @@ fn all_of_it_is_there_and_nothing_is_elsewhere() {
 #[test]
 fn each_text_of_the_page_has_a_translation() {
     let texts: Value = serde_json::from_str(by_id(&ELEMENTS, "texts").inner).expect("JSON");
-    let catalogue = Language::catalogue();
+    let catalogue = portuguese().catalogue();
     let said = ELEMENTS.iter().flat_map(|it| ["data-text", "data-name"].map(|name| it.says(name)));
     for english in said.flatten().chain(scripts::said()) {
         let portuguese = texts["pt-BR"][&english].as_str();
