@@ -8,6 +8,7 @@ mod file;
 mod help;
 mod job;
 mod key;
+mod panicked;
 mod progress;
 mod said;
 mod shell;

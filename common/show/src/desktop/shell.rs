@@ -6,9 +6,6 @@ use std::ops::ControlFlow;
 use std::panic;
 use std::panic::AssertUnwindSafe;
 use std::process::Command;
-use std::sync::Arc;
-use std::sync::Mutex;
-use std::sync::PoisonError;
 use std::thread;
 use std::time::Duration;
 use std::time::Instant;
@@ -21,11 +18,12 @@ use minifb::MouseMode;
 use super::drawing::Drawing;
 use super::file;
 use super::key::session_key;
+use super::panicked::Panicked;
 use super::said::print;
 use super::said::report;
-use super::watch;
 use super::watch::News;
 use super::watch::Watch;
+use super::watch::replace;
 use super::window::Window;
 use crate::Effect;
 use crate::Event;
@@ -61,7 +59,7 @@ pub(super) fn run(
     let shell = Shell {
         name,
         watch,
-        panicked: on_panic(),
+        panicked: Panicked::listen(),
         panics: 0,
         broken: false,
         titled: session.desk().program().title(),
@@ -87,7 +85,7 @@ struct Shell {
     name: &'static str,
     watch: Option<Watch>,
     /// What was said of a panic that nobody was told of yet.
-    panicked: Arc<Mutex<Option<String>>>,
+    panicked: Panicked,
     /// How many turns in a row panicked.
     panics: usize,
     /// The drawings panic, as long as nothing is changed.
@@ -162,7 +160,7 @@ impl Shell {
 
     /// Says what panicked, and draws no more of it until something is changed.
     fn give_up(&mut self) {
-        let said = self.panicked.lock().unwrap_or_else(PoisonError::into_inner).take();
+        let said = self.panicked.take();
         self.saving = None;
         self.broken = true;
         if let Some(said) = said {
@@ -420,34 +418,4 @@ impl Shell {
         report(name, &done);
         self.tell(Event::Say(done)).map(|_| ())
     }
-}
-
-/// Where a panic is told, in place of standard error: the first until it is taken, since each of half a
-/// million pixels may panic.
-fn on_panic() -> Arc<Mutex<Option<String>>> {
-    let panicked = Arc::new(Mutex::new(None));
-    let first = panicked.clone();
-    panic::set_hook(Box::new(move |info| {
-        let payload = info.payload();
-        let why = payload.downcast_ref::<String>().map(String::as_str);
-        let why = why.or(payload.downcast_ref::<&str>().copied()).unwrap_or_default();
-        let place = info.location().map(ToString::to_string).unwrap_or_default();
-        let mut first = first.lock().unwrap_or_else(PoisonError::into_inner);
-        first.get_or_insert_with(|| watch::panicked(&place, why));
-    }));
-    panicked
-}
-
-/// Runs `command` in place of this program: in its terminal, and ended with it. Gives back only why
-/// it cannot, or that it has ended.
-#[cfg(unix)]
-fn replace(command: &mut Command) -> Result<()> {
-    use std::os::unix::process::CommandExt as _;
-    Err(command.exec().into())
-}
-
-#[cfg(not(unix))]
-fn replace(command: &mut Command) -> Result<()> {
-    let status = command.status()?;
-    std::process::exit(status.code().unwrap_or(1))
 }
