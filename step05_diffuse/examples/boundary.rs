@@ -40,7 +40,7 @@ fn color(ray: &Ray, is_glass: fn(f32) -> bool) -> Color {
 
 fn figure() -> Figure<Lesson> {
     let mut lesson = Lesson::default();
-    lesson.scene.light.position = Vec3::new(-1.0, 1.6, 0.0);
+    lesson.scene.light.position = Vec3::new(-1.3, 1.6, 0.0);
     Figure::new(lesson, 2)
         .aspect(1.25)
         .view(View::new(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, 28.0))
