@@ -274,13 +274,22 @@ impl Desk {
     /// The pictures that are to be shown: one, or, where two are compared, the step before's and
     /// this one's.
     pub fn pictures(&self) -> Vec<Wanted<'_>> {
-        let this = self.wanted(&self.setup, self.current, &self.look);
-        let before = |before| self.wanted(before, self.current - 1, &self.look_before);
-        match &self.before {
-            Some(setup) if self.holding => vec![before(setup)],
-            Some(setup) if self.compare != Compare::Off => vec![before(setup), this],
-            _ => vec![this],
+        match self.picture_before() {
+            Some(before) if self.holding => vec![before],
+            Some(before) if self.compare != Compare::Off => vec![before, self.picture_now()],
+            _ => vec![self.picture_now()],
         }
+    }
+
+    /// The picture of the step that is shown.
+    pub fn picture_now(&self) -> Wanted<'_> {
+        self.wanted(&self.setup, self.current, &self.look)
+    }
+
+    /// That of the step before; none before the first.
+    pub fn picture_before(&self) -> Option<Wanted<'_>> {
+        let setup = self.before.as_ref()?;
+        Some(self.wanted(setup, self.current - 1, &self.look_before))
     }
 
     fn wanted<'a>(&'a self, setup: &'a Setup, program: usize, look: &'a Look) -> Wanted<'a> {

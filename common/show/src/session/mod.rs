@@ -236,12 +236,7 @@ impl Session {
         if let (Some(panel), Some(line)) = (self.reading_panel(), self.desk.line()) {
             self.reading_scroll = panel.scroll_to(&Target::Line(line.clone()));
         }
-        if step != self.desk.step() {
-            let shown = self.targets();
-            if self.selected.as_ref().is_none_or(|selected| !shown.contains(selected)) {
-                self.select_first();
-            }
-        }
+        self.keep_selection();
         if step != self.desk.step() || reading != self.desk.reading() {
             self.scroll_reading();
         }
@@ -256,6 +251,7 @@ impl Session {
             Hand::Reset => {
                 if let Some(Target::Control(name)) = self.selected.clone() {
                     self.act(Act::Reset(name));
+                    self.keep_selection();
                 }
             }
             Hand::Pin => match self.layout().picture.contains(self.pointer) {
@@ -295,6 +291,14 @@ impl Session {
     fn targets(&self) -> Vec<Target> {
         let rows = self.control_rows();
         rows.iter().map(Row::target).filter(|target| *target != Target::Nothing).collect()
+    }
+
+    /// Selects the first control where what is selected is no more.
+    fn keep_selection(&mut self) {
+        let shown = self.targets();
+        if self.selected.as_ref().is_none_or(|selected| !shown.contains(selected)) {
+            self.select_first();
+        }
     }
 
     fn select_first(&mut self) {
