@@ -20,6 +20,7 @@ use jpeg_encoder::ColorType;
 use jpeg_encoder::Encoder;
 use jpeg_encoder::SamplingFactor;
 use show::Language;
+use show::Tour;
 use show::text;
 
 use crate::PROGRAMS;
@@ -65,7 +66,7 @@ fn root() -> &'static Path {
 /// # Errors
 ///
 /// When a handout, a diff or a picture cannot be read.
-pub fn html(program: &[u8]) -> Result<String> {
+pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
     let root = root();
     let mut packed = GzEncoder::new(Vec::new(), Compression::best());
     packed.write_all(program)?;

@@ -240,8 +240,7 @@ fn do_on(desk: &mut Desk, act: Act) -> Result<Done, String> {
             Effect::Save => done.save = true,
             Effect::Say(words) => done.said = Some(words),
             Effect::Print(_) => stands_there = true,
-            // A page does not end itself.
-            Effect::Quit => {}
+            Effect::Glide => done.glide = true,
         }
     }
     // What others print stands on the page, and need not be spoken of.
@@ -299,6 +298,7 @@ fn state(desk: &Desk, spoken: Language) -> State {
             Reading::Keys => "keys",
             Reading::Diff => "diff",
             Reading::Idea => "idea",
+            Reading::Stops => "stops",
         },
         alone: desk.alone(),
         language: desk.language().name(),

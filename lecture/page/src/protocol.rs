@@ -122,6 +122,8 @@ pub(crate) struct Done {
     pub(crate) redraw: bool,
     /// What is beside and over them is another.
     pub(crate) repaint: bool,
+    /// The pictures may glide to what is shown now.
+    pub(crate) glide: bool,
     /// The picture is to be saved.
     pub(crate) save: bool,
     /// The command is to be handed on.

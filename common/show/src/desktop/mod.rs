@@ -9,9 +9,12 @@ mod help;
 mod job;
 mod key;
 mod progress;
+mod remembered;
 mod said;
 mod shell;
 mod suite;
+mod tour_text;
+mod tours;
 mod window;
 
 use std::ffi::OsString;
@@ -24,6 +27,9 @@ pub use exercises::Exercises;
 pub use exercises::Verdict;
 pub use said::report;
 pub use suite::Suite;
+pub use tour_text::LONGEST;
+pub use tour_text::Mistake;
+pub use tours::picture_of;
 
 use crate::Program;
 

@@ -15,6 +15,7 @@ use minifb::MouseMode;
 use super::drawing::Drawing;
 use super::file;
 use super::key::session_key;
+use super::remembered::Remembered;
 use super::said::print;
 use super::said::report;
 use super::window::Window;
@@ -29,6 +30,9 @@ use crate::text;
 /// included: 40 a second.
 const PERIOD: Duration = Duration::from_millis(25);
 
+/// How long the pictures are on their way from one stop to the next.
+const GLIDE: Duration = Duration::from_millis(250);
+
 /// Between two looks at keys and mouse when there is nothing to do.
 const REST: Duration = Duration::from_millis(8);
 
@@ -40,10 +44,13 @@ const REFRESH: Duration = Duration::from_millis(100);
 /// # Errors
 ///
 /// When the window system, or standard output, fails.
-pub(super) fn run(window: Window, session: Session) -> Result<()> {
+pub(super) fn run(
+    window: Window, session: Session, remembered: Remembered, still: bool,
+) -> Result<()> {
     let size = window.size().context(text!("the window has no size"))?;
+    let begun = session.desk().stop().map(|(number, _)| number);
     let shell = Shell {
-        titled: session.desk().program().title(),
+        titled: session.desk().title(),
         window,
         session,
         drawings: Vec::new(),
@@ -53,6 +60,11 @@ pub(super) fn run(window: Window, session: Session) -> Result<()> {
         pointer: (0.0, 0.0),
         down: false,
         fine: false,
+        ctrl: false,
+        still,
+        glide: None,
+        begun,
+        remembered,
         active: false,
         redraw: true,
         repaint: false,
@@ -69,7 +81,7 @@ struct Shell {
     /// The pictures that the session wants, in its order, each with its program.
     drawings: Vec<(usize, Drawing)>,
     /// The pictures that are to be saved as soon as they are complete; until then further input
-    /// waits, but for Escape.
+    /// waits.
     saving: Option<Vec<Drawing>>,
     painted: RgbImage,
     size: Size,
@@ -78,6 +90,14 @@ struct Shell {
     down: bool,
     /// Shift is down.
     fine: bool,
+    ctrl: bool,
+    /// Nothing glides.
+    still: bool,
+    /// Since when the pictures are on their way to a stop.
+    glide: Option<Instant>,
+    remembered: Remembered,
+    /// The stop at which the class began, until it goes on: until then the last class is remembered.
+    begun: Option<usize>,
     active: bool,
     /// The drawings are not what the session wants.
     redraw: bool,
@@ -94,6 +114,14 @@ impl Shell {
             if !self.window.window.is_open() || self.input()?.is_break() {
                 return Ok(());
             }
+            if let Some(start) = self.glide {
+                let part = start.elapsed().as_secs_f32() / GLIDE.as_secs_f32();
+                self.glide = self.glide.filter(|_| part < 1.0);
+                if self.tell(Event::Glide(part))?.is_break() {
+                    return Ok(());
+                }
+            }
+            self.remember();
             if let Some(size) = self.window.size().filter(|size| *size != self.size) {
                 self.size = size;
                 if self.tell(Event::Resize(size))?.is_break() {
@@ -117,7 +145,7 @@ impl Shell {
 
     /// Starts the pictures that the session wants.
     fn restart(&mut self) {
-        let title = self.session.desk().program().title();
+        let title = self.session.desk().title();
         if self.titled != title {
             self.window.window.set_title(&title);
             self.titled = title;
@@ -209,14 +237,13 @@ impl Shell {
     /// Takes all keys and the mouse into account; a break when the program shall end.
     fn input(&mut self) -> Result<ControlFlow<()>> {
         if self.saving.is_some() {
-            let quit = self.window.typed.contains(&(minifb::Key::Escape, true));
-            return Ok(if quit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) });
+            return Ok(ControlFlow::Continue(()));
         }
         let mut events = Vec::new();
         let active = self.window.window.is_active();
         if mem::replace(&mut self.active, active) && !active {
             // Who leaves by Alt+Shift+Tab lets go of Shift elsewhere.
-            self.fine = false;
+            (self.fine, self.ctrl) = (false, false);
             events.push(Event::FocusLost);
         }
         self.mouse(&mut events);
@@ -234,6 +261,12 @@ impl Shell {
                     self.fine = down;
                     continue;
                 }
+                (minifb::Key::LeftCtrl | minifb::Key::RightCtrl, down) => {
+                    self.ctrl = down;
+                    continue;
+                }
+                (minifb::Key::Q, true) if self.ctrl => return Ok(ControlFlow::Break(())),
+                (_, true) if self.ctrl => continue,
                 (key, true) => session_key(key).map(|key| Event::Key(key, self.fine)),
                 (key, false) => session_key(key).map(Event::KeyUp),
             };
@@ -283,15 +316,30 @@ impl Shell {
                         Drawing::new(size, desk.samples(), wanted.camera, Duration::MAX)
                     };
                     self.saving = Some(desk.pictures().into_iter().map(drawing).collect());
-                    self.session.handle(Event::Say(
-                        text!("saved as soon as it is complete; Esc quits").to_owned(),
-                    ));
+                    self.session
+                        .handle(Event::Say(text!("saved as soon as it is complete").to_owned()));
                     self.repaint = true;
                 }
-                Effect::Quit => return Ok(ControlFlow::Break(())),
+                // Where a picture takes long, a way of pictures takes longer.
+                Effect::Glide if self.still || self.window.cost > 2 * PERIOD => {
+                    let _ = self.tell(Event::Glide(1.0))?;
+                }
+                Effect::Glide => self.glide = Some(Instant::now()),
             }
         }
         Ok(ControlFlow::Continue(()))
+    }
+
+    /// Remembers where the class is, for a next time.
+    fn remember(&mut self) {
+        let desk = self.session.desk();
+        let Some((number, _)) = desk.stop() else { return };
+        self.begun = self.begun.filter(|begun| *begun == number);
+        let stop = if self.begun.is_some() { self.remembered.stop } else { number };
+        if (self.remembered.stop, self.remembered.size) != (stop, Some(self.size)) {
+            (self.remembered.stop, self.remembered.size) = (stop, Some(self.size));
+            self.remembered.write();
+        }
     }
 
     /// Goes on with the picture that is to be saved, and saves it if it is complete.

@@ -7,6 +7,7 @@ mod paint;
 mod panel;
 mod row;
 mod rows;
+mod stop;
 mod written;
 
 use std::mem;
@@ -50,6 +51,8 @@ pub enum Event {
     FocusLost,
     /// Something to be said in the window, such as what became of a file.
     Say(String),
+    /// The pictures are this part of their way on, 0 to 1.
+    Glide(f32),
 }
 
 /// A desk in a window, without a clock, a thread or a file.
@@ -169,6 +172,7 @@ impl Session {
                 self.act(Act::Hold(false));
             }
             Event::Say(words) => self.say(words),
+            Event::Glide(part) => self.act(Act::Glide(part)),
         }
         if self.layout().picture != picture {
             self.ask(Effect::Redraw);
@@ -203,17 +207,18 @@ impl Session {
     }
 
     fn key(&mut self, key: Key, shift: bool) {
-        match does(key) {
+        match self.desk.does(key) {
             Some(Does::Act(act)) => self.do_act(act),
             Some(Does::While(begin, _)) => self.act(begin),
+            _ if self.desk.is_blank() => self.act(Act::Blank),
             Some(Does::Shell(hand)) => self.do_by_hand(hand, if shift { 0.1 } else { 1.0 }),
-            None => {}
+            None => self.say(text!("this key does nothing here; F1 lists all keys").to_owned()),
         }
     }
 
     /// Does something on the desk, with what follows from it here.
     fn do_act(&mut self, act: Act) {
-        let (step, reading) = (self.desk.step(), self.desk.reading());
+        let (step, reading) = (self.shown_program(), self.desk.reading());
         let what_ifs = self.desk.what_ifs().len();
         self.act(act);
         if self.desk.what_ifs().len() > what_ifs {
@@ -224,15 +229,23 @@ impl Session {
         if let (Some(panel), Some(line)) = (self.reading_panel(), self.desk.line()) {
             self.reading_scroll = panel.scroll_to(&Target::Line(line.clone()));
         }
-        if step != self.desk.step() {
+        if step != self.shown_program() {
             let shown = self.targets();
             if self.selected.as_ref().is_none_or(|selected| !shown.contains(selected)) {
                 self.select_first();
             }
         }
-        if step != self.desk.step() || reading != self.desk.reading() {
+        if reading == Reading::Stops
+            && let Some(panel) = self.reading_panel()
+        {
+            self.reading_scroll = panel.scroll_to(&Target::Listed(self.desk.picked()));
+        } else if step != self.shown_program() || reading != self.desk.reading() {
             self.scroll_reading();
         }
+    }
+
+    fn shown_program(&self) -> &'static str {
+        self.desk.program().name
     }
 
     fn do_by_hand(&mut self, hand: Hand, nudge: f32) {
@@ -348,6 +361,7 @@ impl Session {
             reading: self.has_reading(),
             legend: self.desk.shown_line().is_some(),
             curve: self.desk.has_curve(),
+            stop: self.desk.stop().is_some(),
         })
     }
 }
