@@ -45,9 +45,10 @@ const REFRESH: Duration = Duration::from_millis(100);
 ///
 /// When the window system, or standard output, fails.
 pub(super) fn run(
-    window: Window, session: Session, remembered: Remembered, still: bool,
+    window: Window, mut session: Session, remembered: Remembered, still: bool,
 ) -> Result<()> {
     let size = window.size().context(text!("the window has no size"))?;
+    session.handle(Event::Resize(size));
     let begun = session.desk().stop().map(|(number, _)| number);
     let shell = Shell {
         titled: session.desk().title(),

@@ -218,7 +218,7 @@ impl Session {
 
     /// Does something on the desk, with what follows from it here.
     fn do_act(&mut self, act: Act) {
-        let (step, reading) = (self.shown_program(), self.desk.reading());
+        let (shown, reading) = (self.shown(), self.desk.reading());
         let what_ifs = self.desk.what_ifs().len();
         self.act(act);
         if self.desk.what_ifs().len() > what_ifs {
@@ -229,7 +229,10 @@ impl Session {
         if let (Some(panel), Some(line)) = (self.reading_panel(), self.desk.line()) {
             self.reading_scroll = panel.scroll_to(&Target::Line(line.clone()));
         }
-        if step != self.shown_program() {
+        if shown != self.shown() {
+            if self.desk.stop().is_some() {
+                self.unfold();
+            }
             let shown = self.targets();
             if self.selected.as_ref().is_none_or(|selected| !shown.contains(selected)) {
                 self.select_first();
@@ -239,13 +242,14 @@ impl Session {
             && let Some(panel) = self.reading_panel()
         {
             self.reading_scroll = panel.scroll_to(&Target::Listed(self.desk.picked()));
-        } else if step != self.shown_program() || reading != self.desk.reading() {
+        } else if shown != self.shown() || reading != self.desk.reading() {
             self.scroll_reading();
         }
     }
 
-    fn shown_program(&self) -> &'static str {
-        self.desk.program().name
+    /// Which program is shown, and at which stop.
+    fn shown(&self) -> (&'static str, Option<usize>) {
+        (self.desk.program().name, self.desk.stop().map(|(number, _)| number))
     }
 
     fn do_by_hand(&mut self, hand: Hand, nudge: f32) {
