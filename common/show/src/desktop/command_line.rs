@@ -191,7 +191,10 @@ pub(super) fn arrange(desk: &mut Desk, matches: &ArgMatches) -> Result<Option<St
     }
     // To begin with the onlooker is where the camera as it is set puts it.
     acts.sort_by_key(|act| matches!(act, Act::Set(name, _) if name.starts_with("outside.")));
-    acts.extend(matches.get_one::<Size>("size").map(|size| Act::Size(*size)));
+    // In a class it is the window's, as each stop has a size of its own.
+    let is_of_picture = desk.stop().is_none() || matches.contains_id("output");
+    let size = matches.get_one::<Size>("size").filter(|_| is_of_picture);
+    acts.extend(size.map(|size| Act::Size(*size)));
     match (given::<f32>(matches, "divide"), given::<bool>(matches, "difference")) {
         (Some(part), _) => acts.extend([Act::Divide, Act::DivideAt(part)]),
         (None, Some(true)) => acts.push(Act::Difference),

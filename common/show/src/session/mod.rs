@@ -238,7 +238,7 @@ impl Session {
                 self.select_first();
             }
         }
-        if reading == Reading::Stops
+        if self.desk.reading() == Reading::Stops
             && let Some(panel) = self.reading_panel()
         {
             self.reading_scroll = panel.scroll_to(&Target::Listed(self.desk.picked()));
