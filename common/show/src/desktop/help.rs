@@ -66,7 +66,6 @@ Options:
       --range LOW,HIGH    with --show, between which numbers its colours tell apart
       --curve             with --show and --pixel, the line along the pixel's row too
       --what-if LINE=V    a told line answered otherwise: 'V=1', 'L_s=0'; repeatable
-      --code              with the step's code beside the picture
       --compare FILE      render, say how far FILE is from it and where; exit 1 if they differ;
                           with -o, write expected, found and difference side by side; with --show,
                           compare a picture of that line, numbers as grey{check}{lecture}
