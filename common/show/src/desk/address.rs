@@ -100,7 +100,7 @@ impl Desk {
     fn add_shown(&self, parts: &mut Vec<String>) {
         parts.push(match self.program() {
             Program { is_figure: true, name, .. } if self.current > 0 => format!("#{name}"),
-            _ => format!("#step{:02}", self.step()),
+            _ => format!("#step{:02}", step_number(self.program().name).unwrap_or(self.step())),
         });
         parts.extend(self.setup.settings());
         if self.onlooker.is_some() {
@@ -194,11 +194,14 @@ impl Desk {
 
     /// The place of the program that an address calls `name`: `step05`, `step05_diffuse` or a figure.
     fn program_called(&self, name: &str) -> Option<usize> {
-        let step = step_number(name).filter(|step| (1..=self.steps()).contains(step));
-        step.map(|step| step - 1).or_else(|| {
-            let mut places = self.steps()..self.programs.len();
-            places.find(|place| self.programs[*place].name == name)
-        })
+        let number = step_number(name);
+        let is_it = |program: &Program| {
+            program.name == name || number.is_some() && step_number(program.name) == number
+        };
+        // One without a number is meant by any.
+        let is_any =
+            |program: &Program| self.programs.len() == 1 && step_number(program.name).is_none();
+        self.programs.iter().position(|program| is_it(program) || is_any(program))
     }
 
     /// Takes a part of an address.

@@ -29,6 +29,8 @@ use super::said::tell;
 use super::shell;
 use super::suite::Suite;
 use super::tours;
+use super::watch::Watch;
+use super::window::Place;
 use super::window::Window;
 use crate::Act;
 use crate::Desk;
@@ -153,25 +155,32 @@ fn check(exercises: &dyn Exercises, program: &Program, other: &str, output: &Pat
 
 /// Shows it all in a window, or, with no display, writes the picture.
 fn open(suite: &Suite, mut desk: Desk, begins: bool, matches: &ArgMatches) -> ExitCode {
+    let name = suite.name;
+    let watch = match given::<bool>(matches, "watch") {
+        Some(true) => match Watch::new(name) {
+            Ok(watch) => Some(watch),
+            Err(error) => return status(Err(error)),
+        },
+        _ => None,
+    };
     let title = desk.tours().first().map(|tour| tour.title.clone());
     let remembered = title.map_or(Remembered::default(), |title| Remembered::of(&title));
     let usual = remembered.size.filter(|_| begins).unwrap_or(desk.picture_size());
     let size = matches.get_one::<Size>("size").copied().unwrap_or(usual);
-    let window = Window::open(&desk.title(), size);
-    let offer = window.is_ok().then(|| begins.then(|| tours::begin(&mut desk, &remembered)));
-    let mut session = Session::new(desk);
-    match window {
+    let place = given::<Place>(matches, "window").unwrap_or(Place { size, at: None });
+    match Window::open(&desk.title(), place) {
         Ok(window) => {
-            if let Some(offer) = offer.flatten().flatten() {
+            let offer = begins.then(|| tours::begin(&mut desk, &remembered)).flatten();
+            let mut session = Session::new(desk);
+            if let Some(offer) = offer {
                 session.handle(Event::Say(offer));
             }
             let still = given::<bool>(matches, "still") == Some(true);
-            status(shell::run(window, session, remembered, still).map(|()| true))
+            status(shell::run(name, window, session, watch, (remembered, still)).map(|()| true))
         }
         Err(error) => {
-            let name = suite.name;
             report(name, &text!("no window ({error}), so the picture goes to a file", error));
-            let job = Job { name, exercises: suite.exercises, session };
+            let job = Job { name, exercises: suite.exercises, session: Session::new(desk) };
             status(job.write(&PathBuf::from(format!("{name}.png"))).map(|()| true))
         }
     }
@@ -182,7 +191,7 @@ pub(super) fn arrange(desk: &mut Desk, matches: &ArgMatches) -> Result<Option<St
     let outside = matches.get_flag("outside") || desk.onlooker().is_some();
     let camera = matches.get_one::<String>("camera").map(|kind| format!("camera={kind}"));
     let settings = matches.get_many::<String>("set").unwrap_or_default().cloned();
-    let mut acts = Vec::new();
+    let mut acts: Vec<Act> = given(matches, "open").map(Act::Open).into_iter().collect();
     for setting in camera.into_iter().chain(settings) {
         let (name, value) = setting
             .split_once('=')

@@ -6,8 +6,10 @@ mod drawing;
 mod exercises;
 mod file;
 mod help;
+mod input;
 mod job;
 mod key;
+mod panicked;
 mod progress;
 mod remembered;
 mod said;
@@ -15,7 +17,9 @@ mod shell;
 mod suite;
 mod tour_text;
 mod tours;
+mod watch;
 mod window;
+mod workspace;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -30,6 +34,7 @@ pub use suite::Suite;
 pub use tour_text::LONGEST;
 pub use tour_text::Mistake;
 pub use tours::picture_of;
+pub use workspace::Workspace;
 
 use crate::Program;
 

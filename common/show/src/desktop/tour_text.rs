@@ -20,8 +20,19 @@ use crate::text;
 pub const LONGEST: usize = 240;
 
 /// What a stop's command cannot ask for.
-const REFUSED: [&str; 8] =
-    ["check", "page", "compare", "tour", "check-tour", "stop", "still", "language"];
+const REFUSED: [&str; 11] = [
+    "check",
+    "page",
+    "compare",
+    "tour",
+    "check-tour",
+    "stop",
+    "still",
+    "language",
+    "open",
+    "watch",
+    "window",
+];
 
 /// What is wrong in the text of a tour.
 #[derive(Clone, Debug, PartialEq)]

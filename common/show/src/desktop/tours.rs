@@ -25,7 +25,7 @@ use crate::Wanted;
 use crate::text;
 
 /// What may be said with a class that begins at its first stop.
-const WITH_A_CLASS: [&str; 4] = ["size", "tour", "still", "language"];
+const WITH_A_CLASS: [&str; 6] = ["size", "tour", "still", "language", "watch", "window"];
 
 /// Whether the arguments ask for a class, and nothing else.
 pub(super) fn begins(suite: &Suite, matches: &ArgMatches) -> bool {

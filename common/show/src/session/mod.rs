@@ -53,6 +53,10 @@ pub enum Event {
     Say(String),
     /// The pictures are this part of their way on, 0 to 1.
     Glide(f32),
+    /// Something that stays said as long as this program runs, or until something else does.
+    Notice(String),
+    /// What is shown panics: how. The pin goes, since what panics may be its explanation.
+    Failed(String),
 }
 
 /// A desk in a window, without a clock, a thread or a file.
@@ -72,6 +76,8 @@ pub struct Session {
     /// How much larger the text is than usual.
     text: f32,
     note: Option<String>,
+    /// What stands over the picture.
+    notice: Option<String>,
     pointer: (f32, f32),
     held: Held,
     effects: Vec<Effect>,
@@ -94,6 +100,7 @@ impl Session {
             reading_scroll: 0.0,
             text: 1.0,
             note: None,
+            notice: None,
             pointer: (-1.0, -1.0),
             held: Held::Nothing,
             effects: Vec::new(),
@@ -173,6 +180,11 @@ impl Session {
             }
             Event::Say(words) => self.say(words),
             Event::Glide(part) => self.act(Act::Glide(part)),
+            Event::Notice(words) => self.notice = Some(words),
+            Event::Failed(words) => {
+                self.act(Act::Unpin);
+                self.notice = Some(words);
+            }
         }
         if self.layout().picture != picture {
             self.ask(Effect::Redraw);
