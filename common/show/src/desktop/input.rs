@@ -25,9 +25,7 @@ impl Shell {
         }
         self.mouse(&mut events);
         for event in events {
-            if self.tell(event)?.is_break() {
-                return Ok(ControlFlow::Break(()));
-            }
+            self.tell(event)?;
         }
         while self.saving.is_none() {
             let Some((key, down)) = self.window.typed.pop_front() else {
@@ -47,10 +45,8 @@ impl Shell {
                 (key, true) => session_key(key).map(|key| Event::Key(key, self.fine)),
                 (key, false) => session_key(key).map(Event::KeyUp),
             };
-            if let Some(event) = event
-                && self.tell(event)?.is_break()
-            {
-                return Ok(ControlFlow::Break(()));
+            if let Some(event) = event {
+                self.tell(event)?;
             }
         }
         Ok(ControlFlow::Continue(()))

@@ -160,17 +160,13 @@ impl Shell {
         }
         if let Some(size) = self.window.size().filter(|size| *size != self.size) {
             self.size = size;
-            if self.tell(Event::Resize(size))?.is_break() {
-                return Ok(ControlFlow::Break(()));
-            }
+            self.tell(Event::Resize(size))?;
         }
         self.go_on()?;
         if let Some(start) = self.glide {
             let part = start.elapsed().as_secs_f32() / GLIDE.as_secs_f32();
             self.glide = self.glide.filter(|_| part < 1.0);
-            if self.tell(Event::Glide(part))?.is_break() {
-                return Ok(ControlFlow::Break(()));
-            }
+            self.tell(Event::Glide(part))?;
         }
         self.remember();
         if mem::take(&mut self.redraw) {
@@ -332,7 +328,7 @@ impl Shell {
     }
 
     /// Tells the session of an event, and does what it asks for.
-    pub(super) fn tell(&mut self, event: Event) -> Result<ControlFlow<()>> {
+    pub(super) fn tell(&mut self, event: Event) -> Result<()> {
         for effect in self.session.handle(event) {
             match effect {
                 Effect::Redraw => {
@@ -356,12 +352,12 @@ impl Shell {
                 }
                 // Where a picture takes long, a way of pictures takes longer.
                 Effect::Glide if self.still || self.window.cost > 2 * PERIOD => {
-                    let _ = self.tell(Event::Glide(1.0))?;
+                    self.tell(Event::Glide(1.0))?;
                 }
                 Effect::Glide => self.glide = Some(Instant::now()),
             }
         }
-        Ok(ControlFlow::Continue(()))
+        Ok(())
     }
 
     /// Remembers where the class is, for a next time.
@@ -399,6 +395,6 @@ impl Shell {
             Err(error) => file::told(&error),
         };
         report(name, &done);
-        self.tell(Event::Say(done)).map(|_| ())
+        self.tell(Event::Say(done))
     }
 }
