@@ -77,7 +77,7 @@ pub use desktop::Suite;
 pub use desktop::Verdict;
 pub use desktop::Workspace;
 #[cfg(not(target_family = "wasm"))]
-pub use desktop::picture_of;
+pub use desktop::picture_shown;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::render_parallel;
 #[cfg(not(target_family = "wasm"))]

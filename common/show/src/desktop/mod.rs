@@ -33,7 +33,7 @@ pub use said::report;
 pub use suite::Suite;
 pub use tour_text::LONGEST;
 pub use tour_text::Mistake;
-pub use tours::picture_of;
+pub use tours::picture_shown;
 pub use workspace::Workspace;
 
 use crate::Program;

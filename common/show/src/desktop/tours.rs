@@ -72,7 +72,7 @@ pub(super) fn begin(desk: &mut Desk, remembered: &Remembered) -> Option<String> 
 }
 
 /// What a desk shows, written as a file is.
-pub fn picture_of(desk: Desk) -> RgbImage {
+pub fn picture_shown(desk: Desk) -> RgbImage {
     let (size, samples) = (desk.picture_size(), desk.samples());
     let render = |wanted: &Wanted<'_>| {
         let frame = Frame { step: wanted.step(), camera: &*wanted.camera, size, samples };
@@ -92,7 +92,7 @@ pub(super) fn check(suite: &Suite, tours: Vec<Tour>) -> Result<bool> {
         for (number, stop) in (1..).zip(&tour.stops) {
             let mut desk = suite.desk(0).touring(vec![tour.clone()]);
             desk.act(Act::Stop(number))?;
-            let picture = picture_of(desk);
+            let picture = picture_shown(desk);
             let first = picture.pixels().next();
             let wrong = if picture.pixels().all(|pixel| Some(pixel) == first) {
                 text!("the picture is empty")
