@@ -51,6 +51,7 @@ const SCRIPT: &str = concat!(
     include_str!("../page/desk.js"),
     include_str!("../page/controls.js"),
     include_str!("../page/figures.js"),
+    include_str!("../page/class.js"),
     include_str!("../page/hands.js"),
     include_str!("../page/keys.js"),
     include_str!("../page/main.js"),
@@ -110,6 +111,7 @@ pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
             ("links", &links),
             ("articles", &articles),
             ("wasm", &wasm),
+            ("tours", &page::tours(tours)?.replace("</", "<\\/")),
         ],
     ))
 }

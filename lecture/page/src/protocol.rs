@@ -7,6 +7,9 @@ use show::Handle;
 use show::Key;
 use show::Language;
 
+use crate::class::Here;
+use crate::class::Told;
+
 /// Something that a browser asks of the steps' program.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
@@ -15,6 +18,8 @@ pub(crate) enum Ask {
     Do(What),
     /// Do something with a figure.
     DoOn(String, What),
+    /// The class has these tours, one in each language or one for all.
+    Tours(Vec<Told>),
     /// Do what a key does, when it goes down or up.
     Key { key: String, down: bool },
     /// What is shown now, on the desk or of the figure `of`; of the language the address says nothing
@@ -58,6 +63,7 @@ pub(crate) enum What {
     MovePin(isize, isize),
     Unpin,
     Step(usize),
+    Listed(usize),
     DivideAt(f32),
     Language(String),
     Open(String),
@@ -78,6 +84,7 @@ impl What {
             Self::MovePin(right, down) => Act::MovePin(right, down),
             Self::Unpin => Act::Unpin,
             Self::Step(number) => Act::Step(number),
+            Self::Listed(place) => Act::Listed(place),
             Self::DivideAt(part) => Act::DivideAt(part),
             Self::Language(locale) => Act::Speak(Language::of_locale(&locale)),
             Self::Open(address) => Act::Open(address),
@@ -122,8 +129,6 @@ pub(crate) struct Done {
     pub(crate) redraw: bool,
     /// What is beside and over them is another.
     pub(crate) repaint: bool,
-    /// The pictures may glide to what is shown now.
-    pub(crate) glide: bool,
     /// The picture is to be saved.
     pub(crate) save: bool,
     /// The command is to be handed on.
@@ -156,6 +161,11 @@ pub(crate) struct State {
     pub(crate) divider: Option<f32>,
     pub(crate) reading: &'static str,
     pub(crate) alone: bool,
+    pub(crate) blank: bool,
+    /// Where the class is, if it is at a stop.
+    pub(crate) stop: Option<Here>,
+    /// All stops and figures and the place that is picked, where they are read.
+    pub(crate) listed: Option<(Vec<String>, usize)>,
     pub(crate) language: &'static str,
 }
 

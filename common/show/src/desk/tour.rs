@@ -67,8 +67,13 @@ impl Desk {
     /// The same with a tour, told in each language in the order of all; one that is told once is told so in
     /// every language.
     pub fn touring(mut self, tours: Vec<Tour>) -> Self {
-        self.way = Way { tours: tours.into(), ..Way::default() };
+        self.tour(tours);
         self
+    }
+
+    /// From now on the class has this tour.
+    pub fn tour(&mut self, tours: Vec<Tour>) {
+        self.way = Way { tours: tours.into(), ..Way::default() };
     }
 
     /// The tours, in the order of the languages.
