@@ -75,6 +75,7 @@ pub use desktop::Mistake;
 pub use desktop::Suite;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::Verdict;
+#[cfg(not(target_family = "wasm"))]
 pub use desktop::Workspace;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::picture_shown;

@@ -6,6 +6,7 @@ use super::OUTSIDE;
 use super::Program;
 use super::Reading;
 use super::Refusal;
+use crate::Frame;
 use crate::Language;
 use crate::Size;
 use crate::text;
@@ -13,9 +14,6 @@ use common::Pixel;
 
 /// The longest address that is read.
 const LONGEST: usize = 4000;
-
-/// The most rays a pixel are this many squared.
-pub(crate) const MAX_SAMPLES: usize = 16;
 
 /// How many of the things that cannot be shown are told.
 const TOLD: usize = 5;
@@ -225,9 +223,9 @@ impl Desk {
             "language" => self.speak(Language::of_locale(value)),
             "stop" => self.way.at = self.stop_called(&format!("stop{value}")),
             "samples" => match value.parse() {
-                Ok(samples @ 1..=MAX_SAMPLES) => self.samples = samples,
+                Ok(samples @ 1..=Frame::MAX_SAMPLES) => self.samples = samples,
                 _ => {
-                    let most = MAX_SAMPLES;
+                    let most = Frame::MAX_SAMPLES;
                     return Err(text!("it takes a whole number from 1 to {most}", most).into());
                 }
             },

@@ -48,7 +48,6 @@ pub use tour::Stop;
 pub use tour::Tour;
 pub use what_if::WhatIf;
 
-pub(crate) use address::MAX_SAMPLES;
 use glide::Glide;
 use tour::Way;
 

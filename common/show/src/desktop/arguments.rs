@@ -19,9 +19,9 @@ use strsim::damerau_levenshtein;
 
 use super::suite::Suite;
 use super::window::Place;
+use crate::Frame;
 use crate::Language;
 use crate::Size;
-use crate::desk::MAX_SAMPLES;
 use crate::text;
 use common::View;
 
@@ -38,8 +38,8 @@ pub(super) fn given<T: Clone + Send + Sync + 'static>(
 pub(super) fn command(suite: &Suite) -> Command {
     let size = |text: &str| text.parse::<Size>().map_err(|error| error.to_string());
     let samples = |text: &str| match text.parse() {
-        Ok(samples) if (1..=MAX_SAMPLES).contains(&samples) => Ok(samples),
-        _ => Err(text!("it takes a whole number from 1 to {most}", most = MAX_SAMPLES)),
+        Ok(samples) if (1..=Frame::MAX_SAMPLES).contains(&samples) => Ok(samples),
+        _ => Err(text!("it takes a whole number from 1 to {most}", most = Frame::MAX_SAMPLES)),
     };
     let pixel = |text: &str| {
         let (col, row) = text.split_once(',').ok_or(text!("a pixel is X,Y, such as 480,270"))?;

@@ -3,9 +3,9 @@
 use std::fmt::Write as _;
 
 use super::suite::Suite;
+use crate::Frame;
 use crate::Setting;
 use crate::Setup;
-use crate::desk::MAX_SAMPLES;
 use crate::keys;
 use crate::text;
 use crate::translated;
@@ -82,7 +82,7 @@ Controls (default):
         concept = translated(concept),
         size,
         cameras = View::PROJECTIONS.join(" | "),
-        most = MAX_SAMPLES,
+        most = Frame::MAX_SAMPLES,
         check,
         lecture
     );
