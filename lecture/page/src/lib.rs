@@ -1,6 +1,7 @@
 //! The steps' program on the page: it is asked, and answers. What asks it is in the scripts beside
 //! this crate's `src`.
 
+mod class;
 mod protocol;
 mod told;
 
@@ -24,6 +25,7 @@ use show::Size;
 use show::text;
 use show::translated;
 
+pub use crate::class::tours;
 use crate::protocol::Ask;
 use crate::protocol::Done;
 use crate::protocol::Group;
@@ -66,8 +68,9 @@ impl Page {
             idea: "idea",
             ..step
         };
-        let steps = steps.into_iter().enumerate().map(read).collect();
-        Self { desk: Desk::new(steps, 0), known: figures, figures: Vec::new() }
+        let steps = steps.into_iter().enumerate().map(read);
+        let all = steps.chain(figures.iter().map(|(_, figure)| figure())).collect();
+        Self { desk: Desk::new(all, 0), known: figures, figures: Vec::new() }
     }
 
     /// Answers a question: a line of JSON, below which the bytes of pictures may follow. What may be
@@ -90,6 +93,11 @@ impl Page {
                 let desk = self.figure(&figure)?;
                 let act = what.act(&desk.setup().points()).ok_or_else(no_handle)?;
                 json(&do_on(desk, act)?)
+            }
+            Ask::Tours(tours) => {
+                let tours = tours.into_iter().map(class::tour).collect();
+                self.desk.tour(tours);
+                json(&())
             }
             Ask::Key { key, down } => json(&self.press(&key, down)?),
             Ask::State { of, spoken } => {
@@ -143,7 +151,7 @@ impl Page {
 
     /// Does what a key does; what only the browser can do it is told.
     fn press(&mut self, name: &str, down: bool) -> Result<Done, String> {
-        match key(name).and_then(show::does) {
+        match key(name).and_then(|key| self.desk.does(key)) {
             Some(Does::Act(act)) if down => do_on(&mut self.desk, act),
             Some(Does::While(begin, end)) => do_on(&mut self.desk, if down { begin } else { end }),
             Some(Does::Shell(hand)) if down => {
@@ -250,7 +258,7 @@ fn rgba(picture: &RgbImage) -> Vec<u8> {
 
 fn do_on(desk: &mut Desk, act: Act) -> Result<Done, String> {
     let mut done = Done { known: true, command: act == Act::Command, ..Done::default() };
-    let mut stands_there = false;
+    let (mut stands_there, mut glides) = (false, false);
     for effect in desk.act(act).map_err(|refusal| refusal.to_string())? {
         match effect {
             Effect::Redraw => done.redraw = true,
@@ -258,9 +266,12 @@ fn do_on(desk: &mut Desk, act: Act) -> Result<Done, String> {
             Effect::Save => done.save = true,
             Effect::Say(words) => done.said = Some(words),
             Effect::Print(_) => stands_there = true,
-            // A page does not end itself.
-            Effect::Quit => {}
+            // It is there at once.
+            Effect::Glide => glides = true,
         }
+    }
+    if glides {
+        desk.act(Act::Glide(1.0)).map_err(|refusal| refusal.to_string())?;
     }
     // What others print stands on the page, and need not be spoken of.
     done.said = done.said.filter(|_| !stands_there);
@@ -317,10 +328,14 @@ fn state(desk: &Desk, spoken: Language) -> State {
             Reading::Keys => "keys",
             Reading::Diff => "diff",
             Reading::Idea => "idea",
+            Reading::Stops => "stops",
         },
         legend: desk.legend().map(|legend| (legend.words(), show::height_below(desk))),
         altered: desk.altered(),
         alone: desk.alone(),
+        blank: desk.is_blank(),
+        stop: class::here(desk),
+        listed: class::listed(desk),
         language: desk.language().name(),
     }
 }
