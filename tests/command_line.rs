@@ -204,7 +204,7 @@ fn the_command_that_a_desk_gives_draws_what_is_seen_there() {
             assert!(output.status.success(), "{command}: {}", only_line(&output));
             assert!(read_picture(&folder.path().join(file)) == expected, "{name}: {command}");
             desk = Desk::new(lecture::programs(), 0);
-            drop(desk.act(Act::Open(session.desk().address(Language::English))));
+            drop(desk.act(Act::Open(session.desk().address(Language::ENGLISH))));
         }
     }
 }

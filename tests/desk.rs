@@ -150,7 +150,7 @@ fn act() -> impl Strategy<Value = Act> {
             Act::ShowLine,
             Act::WhatIfLine,
             Act::Curve,
-            Act::Speak(Language::English),
+            Act::Speak(Language::ENGLISH),
             set("sphere", "blue"),
             set("radius", "0.4"),
             set("no such", "1"),
@@ -179,22 +179,22 @@ proptest! {
     fn an_address_shows_the_same_again_and_what_is_refused_changes_nothing(
         [first, other] in [0..7_usize, 0..7], acts in vec(act(), 0..9),
     ) {
-        Language::English.speak();
+        Language::ENGLISH.speak();
         let mut desk = desk(first);
         for act in acts {
-            let before = desk.address(Language::English);
+            let before = desk.address(Language::ENGLISH);
             if let Err(refusal) = desk.act(act) {
-                prop_assert_eq!(desk.address(Language::English), before, "{}", refusal);
+                prop_assert_eq!(desk.address(Language::ENGLISH), before, "{}", refusal);
             }
         }
         // As long as a key is held.
         desk.act(Act::Hold(false)).expect("it is let go");
-        let address = desk.address(Language::English);
+        let address = desk.address(Language::ENGLISH);
         let mut again = self::desk(0);
         let effects = again.act(Act::Open(address.clone())).expect("it is opened");
         let said = effects.iter().find(|effect| matches!(effect, Effect::Say(_)));
         prop_assert_eq!(said, None, "{}", address);
-        prop_assert_eq!(again.address(Language::English), address.clone());
+        prop_assert_eq!(again.address(Language::ENGLISH), address.clone());
         prop_assert_eq!((again.step(), seen(&again)), (desk.step(), seen(&desk)), "{}", address);
         setup::holds(desk.setup(), desk.step() - 1, other)?;
         let asked = |desk: &Desk| (desk.vectors(), desk.handles(), desk.compare(), desk.language());

@@ -6,14 +6,14 @@ mod sheet;
 mod telling;
 
 use fastrand::Rng;
+use rayon::iter::IntoParallelIterator;
+use rayon::iter::ParallelIterator;
 use sheet::Moved;
 use sheet::Sheet;
 use sheet::blocker;
 use sheet::color;
 use sheet::terms;
 use tests::prelude::*;
-
-checks!(packages { what_is_told_is_what_is_drawn_and_adds_up });
 
 const WIDTH: usize = 64;
 const HEIGHT: usize = 36;
@@ -26,7 +26,7 @@ const LONGEST: usize = 100;
 
 /// The colour that is told to be seen: by a hit, by weights, or else by the light that is added.
 fn seen(step: &str, explanation: &Explanation) -> Option<Color> {
-    let number = |symbol| tests::every_step::number(explanation, symbol);
+    let number = |symbol| tests::laws::number(explanation, symbol);
     let hit = !explanation.lines().any(|line| matches!(line.value, Value::Word(_)));
     match step {
         "step02_sphere" => Some(Color::splat(f32::from(u8::from(hit)))),
@@ -74,9 +74,13 @@ fn reads_well(step: &str, explanation: &Explanation) {
     }
 }
 
-fn what_is_told_is_what_is_drawn_and_adds_up<S: Package>() {
-    let index = STEPS.iter().position(|name| *name == S::NAME).expect("a step");
-    let rng = &mut Rng::with_seed(index as u64);
+#[test]
+fn what_is_told_is_what_is_drawn_and_adds_up() {
+    (0..STEPS.len()).into_par_iter().for_each(check_step);
+}
+
+fn check_step(index: usize) {
+    let (name, rng) = (STEPS[index], &mut Rng::with_seed(index as u64));
     for _ in 0..TRIED.0 {
         let moved = Moved::new(setup(index), rng);
         let (step, view) = (moved.setup.step(), moved.setup.view());
@@ -85,23 +89,25 @@ fn what_is_told_is_what_is_drawn_and_adds_up<S: Package>() {
             let (col, row) = (rng.usize(..WIDTH), rng.usize(..HEIGHT));
             let pixel = Pixel { col, row, width: WIDTH, height: HEIGHT };
             let told = step.explain(&*camera, pixel);
-            let fail = |what: &str| -> ! { panic!("{}: {what}:\n{}", S::NAME, written(&told)) };
+            let fail = |what: &str| -> ! { panic!("{name}: {what}:\n{}", written(&told)) };
             let mut drawn = vec![Color::NAN; WIDTH];
             step.render(&*camera, &mut Image::new(WIDTH, HEIGHT, row, &mut drawn));
             let bits = |color: Color| color.to_array().map(f32::to_bits);
             if bits(told.color) != bits(drawn[col]) {
                 fail("drawn in another colour");
             }
-            if seen(S::NAME, &told) != Some(drawn[col]) {
+            if seen(name, &told) != Some(drawn[col]) {
                 fail("the lines lead to another colour");
             }
-            let ray = S::viewing_ray(&*camera, pixel, &Silent);
+            let [u, v] =
+                ["u", "v"].map(|symbol| tests::laws::number(&told, symbol).expect("a ray"));
+            let ray = camera.generate_ray(u, v);
             let parts = [("p", ray.origin), ("d", ray.direction)];
             if parts.iter().any(|(symbol, value)| told.value(symbol) != Some((*value).into())) {
                 fail("it is another ray");
             }
-            Sheet::check(S::NAME, &moved, &told, &ray);
-            reads_well(S::NAME, &told);
+            Sheet::check(name, &moved, &told, &ray);
+            reads_well(name, &told);
         }
     }
 }

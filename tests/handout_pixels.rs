@@ -5,9 +5,9 @@ use std::path::Path;
 
 use tests::prelude::*;
 
-use crate::readme::LANGUAGES;
 use crate::readme::Part;
 use crate::readme::comments;
+use crate::readme::languages;
 use crate::readme::originals;
 use crate::set_up;
 
@@ -150,7 +150,7 @@ const QUOTED: &[Quoted] = &[
 fn what_is_quoted_of_a_pixel_is_told_in_each_language() {
     let mut wrong = Vec::new();
     for (number, arguments, quoted) in QUOTED {
-        for ((language, file), (line, prose)) in LANGUAGES.into_iter().zip(quoted) {
+        for ((language, file), (line, prose)) in languages().into_iter().zip(quoted) {
             language.speak();
             let path = Path::new(STEPS[number - 1]).join(file);
             let handout = source(&path);

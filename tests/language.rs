@@ -101,8 +101,9 @@ fn texts() -> BTreeSet<String> {
         }
     }
     texts.extend(keys().into_iter().flat_map(|row| [row.keys, row.effect]).map(str::to_owned));
-    let mistakes = exercises::Mistake::ALL.iter();
-    texts.extend(mistakes.flat_map(|mistake| [mistake.what, mistake.place]).map(str::to_owned));
+    let mistakes = exercises::Mistake::ALL.iter().flat_map(|mistake| [mistake.what, mistake.place]);
+    let milestones = exercises::Milestone::ALL.iter().flat_map(|it| [it.done, it.missing, it.next]);
+    texts.extend(mistakes.chain(milestones).map(str::to_owned));
     for name in STEPS.into_iter().chain([LECTURE]) {
         let manifest = source(format!("{name}/Cargo.toml"));
         let description = manifest.lines().find_map(|line| line.strip_prefix("description = "));
@@ -142,7 +143,7 @@ fn explanations(index: usize) -> Vec<Explanation> {
 #[test]
 fn every_text_has_its_translation_and_no_other_has() {
     let texts = texts();
-    let catalogue = Language::catalogue();
+    let catalogue = portuguese().catalogue();
     let translations: BTreeSet<String> =
         catalogue.iter().map(|(english, _)| english.clone()).collect();
     let missing: Vec<&String> = texts.difference(&translations).collect();
@@ -167,8 +168,7 @@ fn every_text_has_its_translation_and_no_other_has() {
 
 #[test]
 fn texts_fit_where_they_stand() {
-    for ((_, language), (index, step)) in Language::ALL
-        .iter()
+    for (language, (index, step)) in Language::all()
         .flat_map(|language| STEPS.iter().enumerate().map(move |step| (language, step)))
     {
         language.speak();
@@ -198,7 +198,7 @@ fn texts_fit_where_they_stand() {
 /// neither.
 static VOCABULARIES: LazyLock<[BTreeSet<String>; 2]> = LazyLock::new(|| {
     let (english, portuguese): (Vec<String>, Vec<String>) =
-        Language::catalogue().into_iter().unzip();
+        portuguese().catalogue().into_iter().unzip();
     let all = |texts: Vec<String>| -> BTreeSet<String> {
         texts.iter().flat_map(|text| prose(text)).collect()
     };
@@ -228,8 +228,8 @@ fn prose(text: &str) -> Vec<String> {
 fn is_spoken(language: Language, said: &str) {
     let [english, portuguese] = &*VOCABULARIES;
     let (its, others) = match language {
-        Language::English => (english, portuguese),
-        Language::Portuguese => (portuguese, english),
+        Language::ENGLISH => (english, portuguese),
+        _ => (portuguese, english),
     };
     let words = prose(said);
     let foreign: Vec<&String> = words.iter().filter(|word| others.contains(*word)).collect();
@@ -260,8 +260,7 @@ fn programs_say_all_in_the_language_of_the_system() {
     let wrong = WRONG.iter().map(|(arguments, _)| (STEPS[6], arguments.to_vec()));
     let all = lines(STEPS[5], step).chain(lines(LECTURE, lecture)).chain(wrong);
     for (name, arguments) in all.chain([(STEPS[0], words(&check))]) {
-        for (locale, language) in [("pt_BR.UTF-8", Language::Portuguese), ("C", Language::English)]
-        {
+        for (locale, language) in [("pt_BR.UTF-8", portuguese()), ("C", Language::ENGLISH)] {
             let said = said(name, &[("LANG", locale)], &arguments);
             is_spoken(language, &said);
             let long = said.lines().find(|line| line.chars().count() > 100);
@@ -272,7 +271,7 @@ fn programs_say_all_in_the_language_of_the_system() {
 
 #[test]
 fn the_first_variable_that_says_something_decides_unless_a_language_is_asked_for() {
-    let (english, portuguese) = (Language::English, Language::Portuguese);
+    let (english, portuguese) = (Language::ENGLISH, portuguese());
     let nothing = [&[][..], &[("LANG", "")]].map(|locale| (locale, &[][..], english));
     // Where the user sets a language elsewhere, that one decides when no variable does.
     let nothing = nothing.into_iter().filter(|_| cfg!(not(any(windows, target_os = "macos"))));
@@ -306,7 +305,7 @@ fn a_session_speaks_its_language_whatever_else_is_spoken() {
     let program = |index| Program::new(STEPS[index], "", Size::DEFAULT, make(index));
     // So high that all lines can be seen, and so wide that none is broken.
     let (window, em) = (size(1000, 5000), 0.0385 * 0.75 * 1000.0);
-    for (_, language) in Language::ALL {
+    for language in Language::all() {
         language.speak();
         let mut session = Session::new(Desk::new((0..STEPS.len()).map(program).collect(), 5));
         let note = |session: &mut Session| {
@@ -314,10 +313,10 @@ fn a_session_speaks_its_language_whatever_else_is_spoken() {
             session.note().expect("a note").to_owned()
         };
         let is_english = |note: &str| note == "point at the picture to pin a pixel";
-        assert_eq!(is_english(&note(&mut session)), language == Language::English);
+        assert_eq!(is_english(&note(&mut session)), language == Language::ENGLISH);
         session.handle(Event::Key(Key::Char('G'), false));
         language.speak();
-        assert_ne!(is_english(&note(&mut session)), language == Language::English, "the next one");
+        assert_ne!(is_english(&note(&mut session)), language == Language::ENGLISH, "the next one");
         session.handle(Event::Key(Key::Char('G'), false));
         session.handle(Event::Resize(window));
         session.handle(Event::Key(Key::F(1), false));

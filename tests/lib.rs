@@ -7,7 +7,7 @@
 //! Tests that need a program besides Rust are ignored, and name it: `cargo test -- --ignored`.
 
 pub mod chance;
-pub mod every_step;
+pub mod laws;
 pub mod prelude;
 pub mod run;
 
@@ -55,7 +55,7 @@ pub fn setup(index: usize) -> Setup {
 
 /// A desk with all steps, at the one of this index, whose pictures are so large; it speaks English.
 pub fn desk(index: usize, picture: Size) -> Desk {
-    Language::English.speak();
+    Language::ENGLISH.speak();
     let program = |index| Program::new(STEPS[index], "a concept", picture, make(index));
     Desk::new((0..STEPS.len()).map(program).collect(), index)
 }
@@ -213,4 +213,9 @@ pub fn hold_picture(
     let name = path.file_stem().and_then(|stem| stem.to_str()).expect("a name");
     let compared = compare(name, &read_picture(path), found, others);
     compared.map(drop).map_err(|how| format!("{how}\n  expected is {shown}; {remedy}"))
+}
+
+/// The language of the handouts beside the English ones.
+pub fn portuguese() -> Language {
+    Language::of_locale("pt-BR")
 }

@@ -326,10 +326,10 @@ fn a_command_gives_the_same_look_again() {
         acts.into_iter().for_each(|one| act(&mut looked, one));
         let command = looked.command();
         assert!(command.contains(flags), "no {flags:?} in: {command}");
-        let address = looked.address(Language::English);
+        let address = looked.address(Language::ENGLISH);
         let mut opened = desk(0, size());
         act(&mut opened, Act::Open(address.clone()));
-        assert_eq!(opened.address(Language::English), address);
+        assert_eq!(opened.address(Language::ENGLISH), address);
         assert!(pictures_of(&opened, size()) == pictures_of(&looked, size()), "{address}");
         assert_eq!(opened.command(), command);
         let arguments = command.split_once(" -- ").expect("there are arguments").1;

@@ -1,5 +1,6 @@
 //! The mistakes that are known: each is told from all others, and speaks of what there is in the steps.
 
+use exercises::Diagnosis;
 use exercises::Mistake;
 use exercises::Pair;
 use exercises::SYMBOLS;
@@ -14,8 +15,8 @@ fn said_of(found: &RgbImage) -> Vec<&'static str> {
     let camera = step.view().camera(size.aspect());
     let frame = Frame { step: &*step, camera: &*camera, size, samples: 1 };
     let expected = frame.render();
-    let named = Mistake::named(&[Pair { frame, expected: &expected, found }]);
-    named.iter().map(|mistake| mistake.what).collect()
+    let said = Diagnosis::new("", &[Pair { frame, expected: &expected, found }]);
+    said.mistakes.iter().map(|mistake| mistake.what).collect()
 }
 
 #[test]
@@ -99,8 +100,8 @@ fn each_mistake_is_told_from_all_others() {
             let pairs: Vec<Pair<'_>> = pairs
                 .map(|((frame, expected), found)| Pair { frame: *frame, expected, found })
                 .collect();
-            let named = Mistake::named(&pairs);
-            let said: Vec<&str> = named.iter().map(|named| named.what).collect();
+            let said = Diagnosis::new("", &pairs);
+            let said: Vec<&str> = said.mistakes.iter().map(|named| named.what).collect();
             let is_it = said.is_empty() || said.contains(&mistake.what);
             assert!(is_it, "{name}: {}: {said:?}", mistake.what);
             said

@@ -152,7 +152,7 @@ fn each_key_does_what_it_does_in_the_window() {
             browser.key(way, &typed(key));
             browser.wait_for(DRAWN);
             let desk = session.desk();
-            let (address, alone) = (desk.address(Language::English), desk.alone());
+            let (address, alone) = (desk.address(Language::ENGLISH), desk.alone());
             let reads = desk.reading() == Reading::Keys;
             assert_eq!(
                 browser.run(

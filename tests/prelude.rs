@@ -8,8 +8,7 @@ pub use image::RgbImage;
 pub use show::*;
 
 pub use crate::chance::*;
-pub use crate::every_step::TOLERANCE;
-pub use crate::every_step::*;
+pub use crate::laws::*;
 pub use crate::run::run;
 pub use crate::run::*;
 pub use crate::*;

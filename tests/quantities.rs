@@ -249,7 +249,7 @@ fn altered_light_is_summed_as_it_is_altered() {
 #[test]
 fn what_is_no_picture_is_refused_or_shown_for_what_it_is() {
     let mut desk = desk(6);
-    let before = desk.address(Language::English);
+    let before = desk.address(Language::ENGLISH);
     for (setting, why) in [
         ("V", "--what-if takes LINE=VALUE, and 'V' has no '='"),
         ("V=NaN", "'V' cannot be 'NaN'"),
@@ -267,7 +267,7 @@ fn what_is_no_picture_is_refused_or_shown_for_what_it_is() {
         let said = refused(&mut desk, what_if(setting));
         assert!(said.starts_with(why), "{setting}: {said}");
     }
-    assert_eq!(desk.address(Language::English), before, "nothing has changed");
+    assert_eq!(desk.address(Language::ENGLISH), before, "nothing has changed");
     // Below 0, all directions the same, a sum of its own: whatever comes of it, it is drawn and told.
     for setting in [
         "r²=-3",
@@ -366,7 +366,7 @@ fn figure() -> Desk {
 #[test]
 fn portuguese_names_are_names_too() {
     let mut desk = desk(6);
-    desk.act(Act::Speak(Language::Portuguese)).expect("it is spoken");
+    desk.act(Act::Speak(portuguese())).expect("it is spoken");
     for (name, equation) in [
         ("bloqueada por", "blocked by"),
         ("luz principal: n·l", "n·l"),
@@ -389,5 +389,5 @@ fn portuguese_names_are_names_too() {
         desk.command().contains("--show 'blocked by' --what-if 'key light: V=1'"),
         "as it is typed"
     );
-    Language::English.speak();
+    Language::ENGLISH.speak();
 }

@@ -13,12 +13,14 @@ use pulldown_cmark::TagEnd;
 use show::Language;
 use tests::STEPS;
 use tests::files_below;
+use tests::portuguese;
 use tests::root;
 use tests::source;
 
 /// The languages, and what a handout is called in each.
-pub(crate) const LANGUAGES: [(Language, &str); 2] =
-    [(Language::English, "README.md"), (Language::Portuguese, "README.pt-BR.md")];
+pub(crate) fn languages() -> [(Language, &'static str); 2] {
+    [(Language::ENGLISH, "README.md"), (portuguese(), "README.pt-BR.md")]
+}
 
 /// A part of a README that can be held to something.
 #[derive(Clone, Debug, PartialEq)]

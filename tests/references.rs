@@ -1,51 +1,47 @@
 //! From step 04 on each shows the lecture's scene as POV-Ray does: `references/` has its pictures, and
 //! the scene that it made them from.
 
-use std::path::Path;
 use std::path::PathBuf;
 
 use tests::prelude::*;
 
-use crate::povray;
-
-checks!(scenes {
-    shows_what_pov_ray_does,
-    #[ignore = "needs POV-Ray"]
-    reference_is_what_pov_ray_makes_of_the_scene,
-});
-
 const SIZE: (usize, usize) = (960, 540);
 
-fn reference(file: &str) -> PathBuf {
-    root().join("tests/references").join(file)
+/// What POV-Ray made of each step with a scene, and the step.
+fn references() -> impl Iterator<Item = (usize, PathBuf)> {
+    let folder = root().join("tests/references");
+    (3..STEPS.len()).map(move |index| (index, folder.join(format!("{}.png", &STEPS[index][..6]))))
 }
 
-fn is_the_reference(file: &str, name: &str, found: &RgbImage) {
-    let others = STEPS.map(self::file);
-    let others = others.iter().filter(|other| *other != file && reference(other).exists());
-    let others: Vec<_> =
-        others.map(|other| (other.as_str(), read_picture(&reference(other)))).collect();
-    match compare(name, &read_picture(&reference(file)), found, &others) {
+fn is_the_reference(index: usize, name: &str, found: &RgbImage) {
+    let all = references().map(|(index, path)| (STEPS[index], read_picture(&path)));
+    let (its, others): (Vec<_>, Vec<_>) = all.partition(|(step, _)| *step == STEPS[index]);
+    match compare(name, &its[0].1, found, &others) {
         Ok(comparison) => say(&format!("{name}: {comparison}")),
         Err(how) => panic!("{how}"),
     }
 }
 
-/// The reference of a step: step04.png of step04_scene.
-fn file(step: &str) -> String {
-    format!("{}.png", &step[..6])
+#[test]
+fn each_step_with_a_scene_shows_what_pov_ray_does() {
+    for (index, _) in references() {
+        let found = picture_of(&setup(index), SIZE.0, SIZE.1);
+        is_the_reference(index, &format!("{}_and_pov_ray", STEPS[index]), &found);
+    }
 }
 
-fn shows_what_pov_ray_does<S: Scenes>() {
-    let step = S::default();
-    let found = picture(&step, &step.view(), SIZE.0, SIZE.1);
-    is_the_reference(&file(S::NAME), &format!("{}_and_pov_ray", S::NAME), &found);
-}
-
-fn reference_is_what_pov_ray_makes_of_the_scene<S: Scenes>() {
-    let (file, number) = (file(S::NAME), &S::NAME[5..6]);
-    let made = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("pov_ray_{file}"));
-    let declared = format!("Step={number}");
-    let found = povray::render(&reference("lecture.pov"), &[&declared], SIZE, &made);
-    is_the_reference(&file, &format!("reference_{file}_and_pov_ray_now"), &found);
+#[test]
+#[ignore = "needs POV-Ray"]
+fn each_reference_is_what_pov_ray_makes_of_the_scene() {
+    for (index, path) in references() {
+        let made = scratch().join(format!("pov_ray_{}.png", STEPS[index]));
+        let (width, height) = SIZE;
+        let mut povray = start("povray");
+        povray.arg(path.with_file_name("lecture.pov")).args(["-D", "-A", "+WT1"]);
+        povray.arg(format!("Declare=Step={}", index + 1)).arg(format!("+O{}", made.display()));
+        povray.args([format!("+W{width}"), format!("+H{height}")]);
+        let output = povray.output().expect("POV-Ray is installed");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        is_the_reference(index, &format!("{}_and_pov_ray_now", STEPS[index]), &read_picture(&made));
+    }
 }

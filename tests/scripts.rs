@@ -11,7 +11,7 @@ use crate::protocol::Asked;
 
 /// The text of all scripts.
 static SCRIPTS: LazyLock<String> = LazyLock::new(|| {
-    let script = ELEMENTS.iter().filter(|it| it.name() == "script").next_back();
+    let script = ELEMENTS.iter().rfind(|it| it.name() == "script");
     script.expect("a script").inner.to_owned()
 });
 

@@ -347,7 +347,7 @@ fn how_the_picture_was_made_stands_where_nothing_else_does() {
         }
     }
     // Where what stands below the picture has no room, letters are cut off by the window's edge.
-    for (_, language) in Language::ALL {
+    for language in Language::all() {
         language.speak();
         for (index, name) in STEPS.iter().enumerate() {
             let mut session = wide(Session::new(Desk::new(lecture::programs(), index)));

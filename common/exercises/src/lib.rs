@@ -13,7 +13,6 @@ mod other;
 mod said;
 mod sample;
 mod symbol;
-mod workspace;
 
 use std::env;
 use std::process::ExitCode;

@@ -77,6 +77,8 @@ pub use desktop::Suite;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::Verdict;
 #[cfg(not(target_family = "wasm"))]
+pub use desktop::Workspace;
+#[cfg(not(target_family = "wasm"))]
 pub use desktop::render_parallel;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::report;

@@ -73,7 +73,8 @@ impl Desk {
     /// The address at which all this is shown again, from its `#` on, not encoded. `spoken` is the
     /// language that is spoken where nothing is said of it.
     pub fn address(&self, spoken: Language) -> String {
-        let mut parts = vec![format!("#step{:02}", self.step())];
+        let number = step_number(self.program().name).unwrap_or(self.step());
+        let mut parts = vec![format!("#step{number:02}")];
         parts.extend(self.setup.settings());
         if self.onlooker.is_some() {
             parts.push("outside=on".to_owned());
@@ -118,12 +119,13 @@ impl Desk {
         };
         let mut parts = address.trim_start_matches('#').split('&').filter(|part| !part.is_empty());
         let name = parts.next().unwrap_or("step01");
-        let step = step_number(name).filter(|step| (1..=self.programs.len()).contains(step));
+        let step = self.programs.iter().position(|program| {
+            step_number(program.name).is_none_or(|number| Some(number) == step_number(name))
+        });
         if step.is_none() {
             wrong.push(format!("{}: {}", shortened(name, 40), text!("there is no such step")));
         }
-        let mut opened =
-            Self::new(self.programs.clone(), step.unwrap_or(1) - 1).sampled(self.samples);
+        let mut opened = Self::new(self.programs.clone(), step.unwrap_or(0)).sampled(self.samples);
         opened.speak(self.language);
         // A pixel is one of the picture as all the rest makes it.
         let (pixels, others): (Vec<&str>, Vec<&str>) =

@@ -17,6 +17,7 @@ use image::ImageFormat;
 use strsim::damerau_levenshtein;
 
 use super::suite::Suite;
+use super::window::Place;
 use crate::Language;
 use crate::Size;
 use crate::text;
@@ -60,6 +61,7 @@ pub(super) fn command(suite: &Suite) -> Command {
         Ok(step) if (1..=last).contains(&step) => Ok(step),
         _ => Err(text!("it takes a whole number from 1 to {most}", most = last)),
     };
+    let window = |text: &str| text.parse::<Place>();
     let part = |text: &str| match text.parse::<f32>() {
         Ok(part) if (0.0..=1.0).contains(&part) => Ok(part),
         _ => {
@@ -90,6 +92,13 @@ pub(super) fn command(suite: &Suite) -> Command {
         ];
         others.extend(["divide", "difference"].iter().filter(|_| last > 1));
         command = command.arg(option("check", "STEP").conflicts_with_all(others));
+    }
+    if suite.exercises.is_some() {
+        let watch = Arg::new("watch").long("watch").action(ArgAction::SetTrue);
+        command = command
+            .arg(watch.conflicts_with_all(["output", "compare", "pixel", "check"]))
+            .arg(option("open", "ADDRESS"))
+            .arg(option("window", "WxH+X+Y").value_parser(window));
     }
     if suite.page.is_some() {
         let page = file("page").value_parser(PathBufValueParser::new());

@@ -27,6 +27,8 @@ use super::said::report;
 use super::said::tell;
 use super::shell;
 use super::suite::Suite;
+use super::watch::Watch;
+use super::window::Place;
 use super::window::Window;
 use crate::Act;
 use crate::Desk;
@@ -101,7 +103,7 @@ fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
     }
     match output {
         Some(path) => status(job.write(path).map(|()| true)),
-        None => open(job, program),
+        None => open(job, program, &matches),
     }
 }
 
@@ -126,12 +128,20 @@ fn check(exercises: &dyn Exercises, program: &Program, other: &str, output: &Pat
 }
 
 /// Shows it all in a window, or, with no display, writes the picture.
-fn open(job: Job<'_>, program: &Program) -> ExitCode {
-    let desk = job.session.desk();
-    match Window::open(&program.title(), desk.picture_size()) {
-        Ok(window) => status(shell::run(window, job.session).map(|()| true)),
+fn open(job: Job<'_>, program: &Program, matches: &ArgMatches) -> ExitCode {
+    let name = job.name;
+    let watch = match given::<bool>(matches, "watch") {
+        Some(true) => match Watch::new(name) {
+            Ok(watch) => Some(watch),
+            Err(error) => return status(Err(error)),
+        },
+        _ => None,
+    };
+    let size = job.session.desk().picture_size();
+    let place = given::<Place>(matches, "window").unwrap_or(Place { size, at: None });
+    match Window::open(&program.title(), place) {
+        Ok(window) => status(shell::run(name, window, job.session, watch).map(|()| true)),
         Err(error) => {
-            let name = job.name;
             report(name, &text!("no window ({error}), so the picture goes to a file", error));
             status(job.write(&PathBuf::from(format!("{name}.png"))).map(|()| true))
         }
@@ -142,7 +152,7 @@ fn open(job: Job<'_>, program: &Program) -> ExitCode {
 fn arrange(desk: &mut Desk, matches: &ArgMatches) -> Result<Option<String>, String> {
     let camera = matches.get_one::<String>("camera").map(|kind| format!("camera={kind}"));
     let settings = matches.get_many::<String>("set").unwrap_or_default().cloned();
-    let mut acts = Vec::new();
+    let mut acts: Vec<Act> = given(matches, "open").map(Act::Open).into_iter().collect();
     for setting in camera.into_iter().chain(settings) {
         let (name, value) = setting
             .split_once('=')

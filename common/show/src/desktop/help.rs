@@ -36,7 +36,11 @@ pub(super) fn help(suite: &Suite) -> String {
             "
       --check STEP        is STEP's program now this one? compares many pictures, names the
                           mistake; expected, found and difference go to check.png, or to -o;
-                          exit 1 if they differ; of this step itself, it checks the pixel loop"
+                          exit 1 if they differ; of this step itself, it checks the pixel loop
+      --watch             build the program anew at each save of a source file; the window goes on
+                          where it was, with the first error over the picture until it is mended
+      --open ADDRESS      what an address of this program or of the page shows, from its # on
+      --window WxH+X+Y    the window's size, and its place on the screen"
         ),
     };
     let mut text = text!(

@@ -12,7 +12,9 @@ mod progress;
 mod said;
 mod shell;
 mod suite;
+mod watch;
 mod window;
+mod workspace;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -24,6 +26,7 @@ pub use exercises::Exercises;
 pub use exercises::Verdict;
 pub use said::report;
 pub use suite::Suite;
+pub use workspace::Workspace;
 
 use crate::Program;
 

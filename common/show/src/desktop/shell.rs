@@ -3,6 +3,12 @@
 use std::collections::VecDeque;
 use std::mem;
 use std::ops::ControlFlow;
+use std::panic;
+use std::panic::AssertUnwindSafe;
+use std::process::Command;
+use std::sync::Arc;
+use std::sync::Mutex;
+use std::sync::PoisonError;
 use std::thread;
 use std::time::Duration;
 use std::time::Instant;
@@ -17,9 +23,13 @@ use super::file;
 use super::key::session_key;
 use super::said::print;
 use super::said::report;
+use super::watch;
+use super::watch::News;
+use super::watch::Watch;
 use super::window::Window;
 use crate::Effect;
 use crate::Event;
+use crate::Language;
 use crate::Session;
 use crate::Size;
 use crate::Wanted;
@@ -35,14 +45,25 @@ const REST: Duration = Duration::from_millis(8);
 /// How long a picture that is being refined stays as it is.
 const REFRESH: Duration = Duration::from_millis(100);
 
-/// Shows `session` in `window` until that is closed.
+/// How often in a row a session may panic before the program ends.
+const PANICS: usize = 3;
+
+/// Shows `session` in `window` until that is closed; with `watch`, until `name` is built anew, which then
+/// takes its place.
 ///
 /// # Errors
 ///
 /// When the window system, or standard output, fails.
-pub(super) fn run(window: Window, session: Session) -> Result<()> {
+pub(super) fn run(
+    name: &'static str, window: Window, session: Session, watch: Option<Watch>,
+) -> Result<()> {
     let size = window.size().context(text!("the window has no size"))?;
     let shell = Shell {
+        name,
+        watch,
+        panicked: on_panic(),
+        panics: 0,
+        broken: false,
         titled: session.desk().program().title(),
         window,
         session,
@@ -63,6 +84,14 @@ pub(super) fn run(window: Window, session: Session) -> Result<()> {
 
 /// A window and what is seen in it.
 struct Shell {
+    name: &'static str,
+    watch: Option<Watch>,
+    /// What was said of a panic that nobody was told of yet.
+    panicked: Arc<Mutex<Option<String>>>,
+    /// How many turns in a row panicked.
+    panics: usize,
+    /// The drawings panic, as long as nothing is changed.
+    broken: bool,
     window: Window,
     session: Session,
     titled: String,
@@ -90,33 +119,103 @@ struct Shell {
 impl Shell {
     fn run(mut self) -> Result<()> {
         loop {
-            self.look()?;
-            if !self.window.window.is_open() || self.input()?.is_break() {
-                return Ok(());
-            }
-            if let Some(size) = self.window.size().filter(|size| *size != self.size) {
-                self.size = size;
-                if self.tell(Event::Resize(size))?.is_break() {
-                    return Ok(());
+            // What a student writes may panic, and the class goes on.
+            match panic::catch_unwind(AssertUnwindSafe(|| self.turn())) {
+                Ok(turn) => {
+                    if turn?.is_break() {
+                        return Ok(());
+                    }
                 }
-            }
-            if mem::take(&mut self.redraw) {
-                self.restart();
-            }
-            if self.saving.is_some() {
-                self.save()?;
-            } else {
-                self.work();
+                Err(payload) => {
+                    self.panics += 1;
+                    if self.panics > PANICS {
+                        panic::resume_unwind(payload);
+                    }
+                    self.give_up();
+                }
             }
         }
     }
 
+    fn turn(&mut self) -> Result<ControlFlow<()>> {
+        self.look()?;
+        if !self.window.window.is_open() || self.input()?.is_break() {
+            return Ok(ControlFlow::Break(()));
+        }
+        if let Some(size) = self.window.size().filter(|size| *size != self.size) {
+            self.size = size;
+            if self.tell(Event::Resize(size))?.is_break() {
+                return Ok(ControlFlow::Break(()));
+            }
+        }
+        self.go_on()?;
+        if mem::take(&mut self.redraw) {
+            self.restart();
+        }
+        if self.saving.is_some() {
+            self.save()?;
+        } else if !self.broken {
+            self.work();
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+
+    /// Says what panicked, and draws no more of it until something is changed.
+    fn give_up(&mut self) {
+        let said = self.panicked.lock().unwrap_or_else(PoisonError::into_inner).take();
+        self.saving = None;
+        self.broken = true;
+        if let Some(said) = said {
+            report(self.name, &said);
+            self.session.handle(Event::Failed(said));
+        }
+        self.repaint = true;
+    }
+
+    /// Says what comes of a save, and gives place to the new program.
+    fn go_on(&mut self) -> Result<()> {
+        let Some(news) = self.watch.as_ref().and_then(|watch| watch.news(|| self.arguments()))
+        else {
+            return Ok(());
+        };
+        let notice = match news {
+            News::Building => text!("building …").to_owned(),
+            News::Failed(why) => {
+                report(self.name, &why);
+                why
+            }
+            News::Built(program) => {
+                let mut arguments = self.arguments();
+                arguments
+                    .extend(["--samples".to_owned(), self.session.desk().samples().to_string()]);
+                arguments.extend(["--watch".to_owned(), "--window".to_owned()]);
+                arguments.push(self.window.place());
+                let error = replace(Command::new(program).args(arguments));
+                error.context(text!("cannot run {name}", name = self.name))?;
+                return Ok(());
+            }
+        };
+        self.session.handle(Event::Notice(notice));
+        self.repaint = true;
+        Ok(())
+    }
+
+    /// With what a program shows what is shown now.
+    fn arguments(&self) -> Vec<String> {
+        let desk = self.session.desk();
+        let mut arguments = vec!["--open".to_owned(), desk.address(Language::ENGLISH)];
+        arguments.extend(["--language".to_owned(), desk.language().name().to_owned()]);
+        arguments
+    }
+
     fn is_complete(&self) -> bool {
-        self.saving.is_none() && self.drawings.iter().all(|(_, drawing)| drawing.is_complete())
+        let drawn = || self.drawings.iter().all(|(_, drawing)| drawing.is_complete());
+        self.saving.is_none() && (self.broken || drawn())
     }
 
     /// Starts the pictures that the session wants.
     fn restart(&mut self) {
+        self.broken = false;
         let title = self.session.desk().program().title();
         if self.titled != title {
             self.window.window.set_title(&title);
@@ -157,7 +256,8 @@ impl Shell {
     fn look(&mut self) -> Result<()> {
         let complete = self.is_complete();
         let refined = !complete && self.window.sent.elapsed() > REFRESH;
-        let drafting = self.drawings.iter().any(|(_, drawing)| drawing.is_drafting());
+        let drafting =
+            !self.broken && self.drawings.iter().any(|(_, drawing)| drawing.is_drafting());
         if !drafting && (self.repaint || refined || self.window.is_stale()) {
             self.repaint = false;
             return self.send();
@@ -180,6 +280,7 @@ impl Shell {
             self.drawings.iter().map(|(_, drawing)| drawing.picture()).collect();
         self.session.paint(&mut self.painted, &pictures, &status);
         self.window.send(&self.painted)?;
+        self.panics = 0;
         self.window.cost = start.elapsed();
         Ok(())
     }
@@ -319,4 +420,34 @@ impl Shell {
         report(name, &done);
         self.tell(Event::Say(done)).map(|_| ())
     }
+}
+
+/// Where a panic is told, in place of standard error: the first until it is taken, since each of half a
+/// million pixels may panic.
+fn on_panic() -> Arc<Mutex<Option<String>>> {
+    let panicked = Arc::new(Mutex::new(None));
+    let first = panicked.clone();
+    panic::set_hook(Box::new(move |info| {
+        let payload = info.payload();
+        let why = payload.downcast_ref::<String>().map(String::as_str);
+        let why = why.or(payload.downcast_ref::<&str>().copied()).unwrap_or_default();
+        let place = info.location().map(ToString::to_string).unwrap_or_default();
+        let mut first = first.lock().unwrap_or_else(PoisonError::into_inner);
+        first.get_or_insert_with(|| watch::panicked(&place, why));
+    }));
+    panicked
+}
+
+/// Runs `command` in place of this program: in its terminal, and ended with it. Gives back only why
+/// it cannot, or that it has ended.
+#[cfg(unix)]
+fn replace(command: &mut Command) -> Result<()> {
+    use std::os::unix::process::CommandExt as _;
+    Err(command.exec().into())
+}
+
+#[cfg(not(unix))]
+fn replace(command: &mut Command) -> Result<()> {
+    let status = command.status()?;
+    std::process::exit(status.code().unwrap_or(1))
 }

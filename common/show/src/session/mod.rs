@@ -50,6 +50,10 @@ pub enum Event {
     FocusLost,
     /// Something to be said in the window, such as what became of a file.
     Say(String),
+    /// Something that stays said as long as this program runs, or until something else does.
+    Notice(String),
+    /// What is shown panics: how. The pin goes, since what panics may be its explanation.
+    Failed(String),
 }
 
 /// A desk in a window, without a clock, a thread or a file.
@@ -69,6 +73,8 @@ pub struct Session {
     /// How much larger the text is than usual.
     text: f32,
     note: Option<String>,
+    /// What stands over the picture.
+    notice: Option<String>,
     pointer: (f32, f32),
     held: Held,
     effects: Vec<Effect>,
@@ -91,6 +97,7 @@ impl Session {
             reading_scroll: 0.0,
             text: 1.0,
             note: None,
+            notice: None,
             pointer: (-1.0, -1.0),
             held: Held::Nothing,
             effects: Vec::new(),
@@ -169,6 +176,11 @@ impl Session {
                 self.act(Act::Hold(false));
             }
             Event::Say(words) => self.say(words),
+            Event::Notice(words) => self.notice = Some(words),
+            Event::Failed(words) => {
+                self.act(Act::Unpin);
+                self.notice = Some(words);
+            }
         }
         if self.layout().picture != picture {
             self.ask(Effect::Redraw);

@@ -60,9 +60,12 @@ impl Session {
             None => {
                 let said: Vec<String> = altered.into_iter().chain(said).collect();
                 if !said.is_empty() {
-                    paint_alone(&mut canvas, &layout, &said.join("   "));
+                    paint_over(&mut canvas, layout.em, &said.join("   "), TEXT);
                 }
             }
+        }
+        if let Some(notice) = &self.notice {
+            paint_over(&mut canvas.clipped(layout.picture), layout.em, notice, ALTERED);
         }
     }
 
@@ -162,16 +165,15 @@ impl Session {
     }
 }
 
-/// A word over the picture, at its lower edge.
-fn paint_alone(canvas: &mut Canvas<'_>, layout: &Layout, text: &str) {
-    let em = layout.em;
-    let window = canvas.area();
-    let lines = Font::wrap(em, text, window.width - 1.2 * em);
+/// A word at the lower edge of what `canvas` may draw on.
+fn paint_over(canvas: &mut Canvas<'_>, em: f32, text: &str, ink: Ink) {
+    let whole = canvas.clip();
+    let lines = Font::wrap(em, text, whole.width - 1.2 * em);
     let widest = lines.iter().map(|line| Font::width(em, line)).fold(0.0, f32::max);
     let height = Layout::ROW * em * lines.len() as f32 + 0.6 * em;
-    let at = window.at(Anchor::BottomLeft);
+    let at = whole.at(Anchor::BottomLeft);
     let area = Area::anchored(at, Anchor::BottomLeft, widest + 1.2 * em, height);
     canvas.fill(area, BACKGROUND);
     let inner = Area { left: area.left + 0.6 * em, top: area.top + 0.3 * em, ..area };
-    draw_text(canvas, Area { width: window.width - 1.2 * em, ..inner }, em, TEXT, text);
+    draw_text(canvas, Area { width: whole.width - 1.2 * em, ..inner }, em, ink, text);
 }
