@@ -31,9 +31,8 @@ fn main() -> io::Result<()> {
     println!("cargo::rerun-if-changed={}", root.join(".diff-order").display());
     let camera = file(root, CAMERA);
     let out = PathBuf::from(env::var_os("OUT_DIR").unwrap_or_default()).join("listed.rs");
-    let code = format!(
-        "pub const CAMERA: File = {camera};\nconst STEPS: &[(&str, &[File])] = &[{listed}];\n"
-    );
+    let code =
+        format!("const CAMERA: File = {camera};\nconst STEPS: &[(&str, &[File])] = &[{listed}];\n");
     fs::write(out, code)
 }
 

@@ -5,8 +5,8 @@
 /// A file: its path from the root, and its text.
 pub type File = (&'static str, &'static str);
 
-/// A step's files in the order in which the lecture tells them, and the step before's.
-pub type Files = (&'static [File], &'static [File]);
+/// A step's files in the order in which the lecture tells them, the step before's, and the camera's.
+pub type Files = (&'static [File], &'static [File], File);
 
 include!(concat!(env!("OUT_DIR"), "/listed.rs"));
 
@@ -15,7 +15,7 @@ pub fn of(name: &str) -> Files {
     let place = STEPS.iter().position(|(step, _)| *step == name);
     let files = |place: usize| STEPS.get(place).map_or(&[] as &[File], |(_, files)| files);
     match place {
-        Some(place) => (files(place), place.checked_sub(1).map_or(&[], files)),
-        None => (&[], &[]),
+        Some(place) => (files(place), place.checked_sub(1).map_or(&[], files), CAMERA),
+        None => (&[], &[], CAMERA),
     }
 }

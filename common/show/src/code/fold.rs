@@ -15,8 +15,10 @@ pub(super) struct Line {
     pub(super) text: String,
     /// The number of the line in the file that it begins with, from 1 on.
     pub(super) number: usize,
-    /// The bytes of the file from its first letter to the next line's.
+    /// The bytes of the file that it is made of, with what of them is cut.
     pub(super) at: Range<usize>,
+    /// The byte of its first letter.
+    pub(super) first: usize,
 }
 
 /// What is cut out of a source, and what is put there instead.
@@ -103,7 +105,8 @@ fn fold_call(source: &Source, listener: usize, cuts: &mut Cuts) {
     let (argument, after) = match (source.part(name), kept(source.part(name))) {
         (ABOUT, _) => return cut_statement(source, listener, close, cuts),
         (_, Some((place, after))) => match arguments.get(place) {
-            Some(argument) => (argument.clone(), after),
+            Some(argument) if after.is_empty() => (argument.clone(), after),
+            Some(argument) => (unmapped(source, argument.clone()), after),
             None => return,
         },
         _ => return cuts.cut(start..end, "None"),
@@ -122,6 +125,17 @@ fn fold_call(source: &Source, listener: usize, cuts: &mut Cuts) {
     let (open, shut) = if grouped { ("(", ")") } else { ("", "") };
     cuts.cut(start..source.start(argument.start), open);
     cuts.cut(source.end(argument.end - 1)..end, &format!("{shut}{after}"));
+}
+
+/// An argument without what makes something of it that is told alone: whether there is some does not
+/// depend on that.
+fn unmapped(source: &Source, argument: Range<usize>) -> Range<usize> {
+    let mapped = |place: &usize| {
+        let call = (source.part(*place), source.part(place + 1), source.part(place + 2));
+        call == (".", "map", "(") && source.closing(place + 2) + 1 == argument.end
+    };
+    let end = argument.clone().find(mapped).unwrap_or(argument.end);
+    argument.start..end
 }
 
 /// Whether the call is a statement of its own.
@@ -172,7 +186,7 @@ fn lines(source: &Source, Cuts(mut cuts): Cuts) -> Vec<Line> {
     }
     letters.extend(text[at..].char_indices().map(|(byte, letter)| (at + byte, letter)));
     let mut lines: Vec<Line> = Vec::new();
-    let (mut number, mut counted) = (1, 0);
+    let (mut number, mut counted, mut start) = (1, 0, 0);
     for letters in letters.split_inclusive(|(_, letter)| *letter == '\n') {
         let first = letters.iter().find(|(_, letter)| !letter.is_whitespace());
         let Some((at, _)) = first.or(letters.last()) else { continue };
@@ -185,11 +199,9 @@ fn lines(source: &Source, Cuts(mut cuts): Cuts) -> Vec<Line> {
         number += text[counted..*at].matches('\n').count();
         counted = *at;
         let shown: String = letters.iter().map(|(_, letter)| letter).collect();
-        lines.push(Line { text: shown.trim_end().to_owned(), number, at: *at..*at });
-    }
-    let ends: Vec<usize> = lines.iter().skip(1).map(|line| line.at.start).collect();
-    for (line, end) in lines.iter_mut().zip(ends.into_iter().chain([text.len()])) {
-        line.at.end = end;
+        let end = letters.last().map_or(text.len(), |(byte, _)| byte + 1);
+        lines.push(Line { text: shown.trim_end().to_owned(), number, at: start..end, first: *at });
+        start = end;
     }
     lines
 }

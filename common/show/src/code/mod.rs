@@ -29,12 +29,13 @@ use walk::Id;
 use walk::Sources;
 
 /// A file: its path from the root, and its text.
-pub type File = (&'static str, &'static str);
+pub(crate) type File = (&'static str, &'static str);
 
 /// A step's files in the order in which the lecture tells them, the step before's, and the camera's.
 pub type Files = (&'static [File], &'static [File], File);
 
 /// The code of a step; it is taken apart when it is first asked for.
+#[derive(Default)]
 pub struct Code {
     files: Files,
     parsed: OnceCell<Parsed>,
@@ -142,14 +143,16 @@ impl Code {
             _ => true,
         };
         let walked = sources.walk(camera(sought.projection), &runs);
-        let mut parts: Vec<Part> =
-            walked.iter().map(|id| part(sources, *id, shown, ran.as_ref())).collect();
+        let mut parts: Vec<Part> = walked
+            .iter()
+            .map(|id| part(sources, *id, (shown, sought.whole), ran.as_ref()))
+            .collect();
         let of_step = sources.0.iter().enumerate().filter(|(place, _)| place + 1 < sources.0.len());
         parts.extend(of_step.filter_map(|(file, source)| {
             let told = walked.iter().filter(|id| id.0 == file).map(|id| &sources.item(*id).at);
             let told: Vec<_> = told.collect();
             let (lines, news) = &shown[file];
-            let is_rest = |line: &Line| !told.iter().any(|at| at.contains(&line.at.start));
+            let is_rest = |line: &Line| !told.iter().any(|at| at.contains(&line.first));
             let rest = 0..lines.len();
             let rest = rest.filter(|place| is_rest(&lines[*place]));
             let mut listed = Vec::new();
@@ -178,14 +181,17 @@ fn camera(projection: Projection) -> &'static str {
 }
 
 /// The last part of a path.
-pub fn file_name(path: &str) -> &str {
+pub(crate) fn file_name(path: &'static str) -> &'static str {
     path.rsplit('/').next().unwrap_or(path)
 }
 
 fn part(sources: &Sources, id: Id, shown: &[(Vec<Line>, News)], ran: Option<&Ran<'_>>) -> Part {
     let (source, item) = (sources.source(id), sources.item(id));
     let (all, news) = &shown[id.0];
-    let places = (0..all.len()).filter(|place| item.at.contains(&all[*place].at.start));
+    // What tells the compiler something tells nothing of the algorithm.
+    let is_read = |line: &Line| whole || !line.text.trim_start().starts_with("#[");
+    let is_its = |line: &Line| item.at.contains(&line.first) && is_read(line);
+    let places = (0..all.len()).filter(|place| is_its(&all[*place]));
     let first = places.clone().next().map_or("", |place| &all[place].text);
     let indent = first.len() - first.trim_start().len();
     let mut lines = Vec::new();
@@ -196,7 +202,7 @@ fn part(sources: &Sources, id: Id, shown: &[(Vec<Line>, News)], ran: Option<&Ran
         let told: Vec<_> = sites.map(|site| (source.start(site.name), site.name)).collect();
         for line in lines.iter_mut().filter(|line| line.change != Change::Gone) {
             let Some(at) = all.iter().find(|other| other.number == line.number) else { continue };
-            line.is_idle = idle.iter().any(|idle| idle.contains(&at.at.start));
+            line.is_idle = idle.iter().any(|idle| idle.contains(&at.first));
             let here = told.iter().filter(|(byte, _)| at.at.contains(byte));
             line.told = here.flat_map(|(_, name)| ran.heard.shown(source, *name)).collect();
         }

@@ -14,6 +14,9 @@ const LEAST_TEXT: f32 = 5.0;
 /// How wide the column beside the picture is, in ems: as wide as three numbers of an explanation.
 const COLUMN: f32 = 18.0;
 
+/// How much of the width code takes.
+const CODE_COLUMN: f32 = 0.58;
+
 /// Where things have their place in a window. Nothing lies over anything else.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Layout {
@@ -52,6 +55,8 @@ pub(super) struct Wishes {
     pub(super) hidden: bool,
     /// Whether there is something to be read.
     pub(super) reading: bool,
+    /// Whether that is code, whose lines are long.
+    pub(super) code: bool,
     /// Whether a quantity is shown.
     pub(super) legend: bool,
     /// Whether it is seen as a curve too.
@@ -77,8 +82,11 @@ impl Layout {
     /// How high a row of text is, in ems.
     pub(super) const ROW: f32 = 1.2;
 
+    /// How large code is beside other text: so many lines, and so long ones, are seen at once.
+    pub(super) const CODE: f32 = 0.72;
+
     pub(super) fn new(wishes: &Wishes) -> Self {
-        let Wishes { size, aspect, text, hidden, reading, legend, curve } = *wishes;
+        let Wishes { size, aspect, text, hidden, reading, code, legend, curve } = *wishes;
         let (width, height) = (size.width() as f32, size.height() as f32);
         let window = Area::new(0.0, 0.0, width, height);
         // In a window that is higher than wide the width decides.
@@ -112,7 +120,10 @@ impl Layout {
             let beside = Beside { caption, controls, reading: reading.then_some(upper) };
             return with(picture, width, Some(beside));
         }
-        let column = (COLUMN * em).min(0.5 * width).floor();
+        let column = match code {
+            true => (CODE_COLUMN * width).floor(),
+            false => (COLUMN * em).min(0.5 * width).floor(),
+        };
         let most = (height - 3.5 * row - under).max(0.3 * height);
         let outer = Area::new(0.0, 0.0, width - column, most);
         let picture = fit(outer, aspect);
