@@ -134,7 +134,7 @@ impl Code {
     /// of each file.
     pub fn parts(&self, sought: &Sought<'_>) -> Vec<Part> {
         let Parsed { sources, shown } = self.parsed();
-        let shown = &shown[usize::from(sought.whole)];
+        let shown = &*shown[usize::from(sought.whole)];
         let heard = sought.explanation.map(|told| Heard::new(told, sought.looked_at));
         let ran =
             heard.as_ref().map(|heard| Ran { sources, heard, camera: camera(sought.projection) });
@@ -189,7 +189,7 @@ fn part(sources: &Sources, id: Id, shown: &[(Vec<Line>, News)], ran: Option<&Ran
     let (source, item) = (sources.source(id), sources.item(id));
     let (all, news) = &shown[id.0];
     // What tells the compiler something tells nothing of the algorithm.
-    let is_read = |line: &Line| whole || !line.text.trim_start().starts_with("#[");
+    let is_read = |line: &Line| all_of_it || !line.text.trim_start().starts_with("#[");
     let is_its = |line: &Line| item.at.contains(&line.first) && is_read(line);
     let places = (0..all.len()).filter(|place| is_its(&all[*place]));
     let first = places.clone().next().map_or("", |place| &all[place].text);
