@@ -185,11 +185,14 @@ pub(crate) fn file_name(path: &'static str) -> &'static str {
     path.rsplit('/').next().unwrap_or(path)
 }
 
-fn part(sources: &Sources, id: Id, shown: &[(Vec<Line>, News)], ran: Option<&Ran<'_>>) -> Part {
+fn part(
+    sources: &Sources, id: Id, (shown, is_whole): (&[(Vec<Line>, News)], bool),
+    ran: Option<&Ran<'_>>,
+) -> Part {
     let (source, item) = (sources.source(id), sources.item(id));
     let (all, news) = &shown[id.0];
     // What tells the compiler something tells nothing of the algorithm.
-    let is_read = |line: &Line| all_of_it || !line.text.trim_start().starts_with("#[");
+    let is_read = |line: &Line| is_whole || !line.text.trim_start().starts_with("#[");
     let is_its = |line: &Line| item.at.contains(&line.first) && is_read(line);
     let places = (0..all.len()).filter(|place| is_its(&all[*place]));
     let first = places.clone().next().map_or("", |place| &all[place].text);
