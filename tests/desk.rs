@@ -10,6 +10,8 @@ mod session;
 mod setup;
 mod vectors;
 
+use std::rc::Rc;
+
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -17,7 +19,8 @@ use tests::prelude::*;
 
 fn program(index: usize) -> Program {
     let program = Program::new(STEPS[index], "a concept", size(320, 180), make(index));
-    Program { diff: "+a line\n-another", idea: "an idea", ..program }
+    let code = Rc::new(Code::new(source::of(STEPS[index])));
+    Program { code, idea: "an idea", ..program }
 }
 
 /// All steps on a desk, at the step `index`.
@@ -27,7 +30,7 @@ fn desk(index: usize) -> Desk {
 
 /// A step alone, without texts.
 fn alone(index: usize) -> Desk {
-    Desk::new(vec![Program { diff: "", idea: "", ..program(index) }], 0)
+    Desk::new(vec![Program { code: Rc::default(), idea: "", ..program(index) }], 0)
 }
 
 /// A desk after these acts, none of which it refuses.
@@ -146,7 +149,7 @@ fn act() -> impl Strategy<Value = Act> {
             Act::Hold(true),
             Act::Hold(false),
             Act::Read(Reading::Keys),
-            Act::Read(Reading::Diff),
+            Act::Read(Reading::Code),
             Act::ShowLine,
             Act::WhatIfLine,
             Act::Curve,
@@ -286,7 +289,7 @@ fn from_outside_the_onlooker_moves_and_no_pixel_is_pinned() {
 
 #[test]
 fn steps_come_one_after_the_other_seen_alike() {
-    let acts = [Act::Zoom(0.5), MIDDLE, Act::Read(Reading::Diff), Act::NextLanguage];
+    let acts = [Act::Zoom(0.5), MIDDLE, Act::Read(Reading::Code), Act::NextLanguage];
     let mut desk = after(desk(5), &acts);
     let kept = |desk: &Desk| {
         (desk.setup().view().distance, desk.pinned(), desk.reading(), desk.language())
@@ -346,7 +349,7 @@ fn what_was_shown_last_is_left_first() {
     assert_eq!(read(Act::Alone), (Reading::Keys, true));
     assert_eq!(read(Act::Read(Reading::Keys)), (Reading::Keys, false));
     assert_eq!(read(Act::Read(Reading::Keys)), (pixel, false));
-    assert_eq!(after(alone(6), &[Act::Read(Reading::Diff)]).reading(), pixel, "it has none");
+    assert_eq!(after(alone(6), &[Act::Read(Reading::Code)]).reading(), pixel, "it has none");
 }
 
 #[test]

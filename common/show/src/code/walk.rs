@@ -40,11 +40,16 @@ impl Sources {
             (".", "self") => of(caller.owner),
             (".", receiver) => {
                 let is_type = |name: &str| name.to_lowercase() == receiver.replace('_', "");
-                self.all().filter(named).find(|id| {
+                let is_it = |id: &Id| {
                     let item = self.item(*id);
                     let is_camera = is_type(item.of_trait) && item.owner == camera;
                     is_type(item.owner) || is_camera
-                })
+                };
+                let mut methods =
+                    self.all().filter(named).filter(|id| !self.item(*id).owner.is_empty());
+                // What has no name of its own is of the only type that can do this.
+                let only = methods.next().filter(|_| methods.next().is_none());
+                self.all().filter(named).find(is_it).or(only)
             }
             (":", ":") if before(3) == "Self" => of(caller.owner),
             (":", ":") => of(before(3)),
