@@ -6,6 +6,7 @@
 //! thread or file. A step's library does not know of this crate, nor could it be built for a browser
 //! if it did: its program and its figures do.
 
+mod code;
 mod compare;
 mod control;
 mod desk;
@@ -29,6 +30,7 @@ mod written;
 pub use canvas::Anchor;
 pub use canvas::Area;
 pub use canvas::Canvas;
+pub use canvas::CodeFont;
 pub use canvas::Font;
 pub use canvas::Ink;
 pub use canvas::count_off;
@@ -37,6 +39,13 @@ pub use canvas::encode;
 pub use canvas::magnified;
 pub use canvas::off;
 pub use canvas::pack;
+pub use code::Change;
+pub use code::Code;
+pub use code::CodeLine;
+pub use code::Files;
+pub use code::Kind as CodeKind;
+pub use code::Part as CodePart;
+pub use code::Sought;
 pub use compare::Comparison;
 pub use compare::Difference;
 pub use compare::TOLERANCE;
@@ -133,5 +142,6 @@ pub use vectors::draw_vectors;
 pub use vectors::handle_at;
 pub use vectors::marks;
 pub use vectors::symbol_ink;
+pub(crate) use written::short;
 pub use written::texts;
 pub use written::written;

@@ -63,12 +63,8 @@ impl Page {
     /// When there is no step.
     pub fn new(steps: Vec<Program>, figures: &'static [Figure]) -> Self {
         // What is to be read stands on the page already.
-        let read = |(place, step): (usize, Program)| Program {
-            diff: if place > 0 { "diff" } else { "" },
-            idea: "idea",
-            ..step
-        };
-        let steps = steps.into_iter().enumerate().map(read);
+        let read = |step: Program| Program { idea: "idea", ..step };
+        let steps = steps.into_iter().map(read);
         let all = steps.chain(figures.iter().map(|(_, figure)| figure())).collect();
         Self { desk: Desk::new(all, 0), known: figures, figures: Vec::new() }
     }
@@ -326,7 +322,7 @@ fn state(desk: &Desk, spoken: Language) -> State {
         reading: match desk.reading() {
             Reading::Pixel => "pixel",
             Reading::Keys => "keys",
-            Reading::Diff => "diff",
+            Reading::Code => "code",
             Reading::Idea => "idea",
             Reading::Stops => "stops",
         },

@@ -2,6 +2,7 @@
 
 mod act;
 mod address;
+mod code;
 mod compare;
 mod doing;
 mod glide;
@@ -75,6 +76,10 @@ pub struct Desk {
     /// The step before takes this one's place as long as a key is held.
     holding: bool,
     reading: Reading,
+    /// The code is shown to the letter.
+    whole: bool,
+    /// The lights and objects that were asked for in the code, the last one first.
+    looked_at: Vec<&'static str>,
     /// The told line that keys act on.
     line: Option<LineName>,
     /// The line that was asked to be shown, and between which numbers, also where the step does not tell it.
@@ -145,6 +150,8 @@ impl Desk {
             compare: Compare::Off,
             holding: false,
             reading: Reading::Pixel,
+            whole: false,
+            looked_at: Vec::new(),
             line: None,
             shown: None,
             what_ifs: Vec::new(),
@@ -232,9 +239,9 @@ impl Desk {
 
     /// What is read; the explanation where the program has no such text.
     pub fn reading(&self) -> Reading {
-        let Program { diff, idea, .. } = self.program();
+        let Program { code, idea, .. } = self.program();
         match self.reading {
-            Reading::Diff if diff.is_empty() => Reading::Pixel,
+            Reading::Code if code.is_empty() => Reading::Pixel,
             Reading::Idea if idea.is_empty() => Reading::Pixel,
             Reading::Stops if self.stops().is_empty() => Reading::Pixel,
             reading => reading,

@@ -1,5 +1,6 @@
 //! A desk in a window: where things are on it, and what hands do there.
 
+mod code;
 mod explained;
 mod hands;
 mod layout;
@@ -379,6 +380,7 @@ impl Session {
             text: self.text,
             hidden: self.desk.alone(),
             reading: self.has_reading(),
+            code: self.desk.reading() == Reading::Code,
             legend: self.desk.shown_line().is_some(),
             curve: self.desk.has_curve(),
             stop: self.desk.stop().is_some(),
