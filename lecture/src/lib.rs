@@ -30,6 +30,8 @@ use lesson::Lesson;
 use page::Page;
 use show::Size;
 #[cfg(not(target_family = "wasm"))]
+use show::Suite;
+#[cfg(not(target_family = "wasm"))]
 use show::translations;
 
 /// A step as a program.
@@ -101,6 +103,19 @@ macro_rules! handouts {
     };
 }
 
+#[cfg(not(target_family = "wasm"))]
+macro_rules! tours {
+    ($($tag:literal)*) => {
+        vec![
+            ("lecture/tour/en.md", include_str!("../tour/en.md")),
+            $((
+                concat!("lecture/tour/", $tag, ".md"),
+                include_str!(concat!("../tour/", $tag, ".md")),
+            )),*
+        ]
+    };
+}
+
 steps!(programs);
 
 /// The steps as programs of one window, with what their handouts say in short and their diffs.
@@ -119,6 +134,20 @@ pub fn programs() -> Vec<show::Program> {
         show::Program { slides, diff: step.diff, idea, texts, ..program }
     };
     PROGRAMS.map(program).to_vec()
+}
+
+/// All that the lecture's command line starts.
+#[cfg(not(target_family = "wasm"))]
+pub fn suite() -> Suite {
+    Suite {
+        name: env!("CARGO_PKG_NAME"),
+        concept: env!("CARGO_PKG_DESCRIPTION"),
+        programs: programs(),
+        figures: FIGURES.map(|(_, figure)| figure()).to_vec(),
+        tours: translations!(tours),
+        page: Some(|tours| html(&build()?, tours)),
+        exercises: None,
+    }
 }
 
 /// What a browser is answered.

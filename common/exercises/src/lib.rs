@@ -43,20 +43,18 @@ pub use symbol::SYMBOLS;
 pub fn main<S: Step + Default + 'static>(name: &'static str, concept: &'static str) -> ExitCode {
     let make = Rc::new(|| Box::new(Lesson(Box::new(S::default()))) as Box<dyn Shown>);
     let programs = vec![Program::new(name, concept, Size::DEFAULT, make)];
-    Suite { name, concept, programs, page: None, exercises: Some(&Known) }.run(env::args_os())
+    let (figures, tours, exercises) = (Vec::new(), Vec::new(), Some(&Known as &dyn Exercises));
+    Suite { name, concept, programs, figures, tours, page: None, exercises }.run(env::args_os())
 }
 
-/// What the lecture's `main` runs: a step's command line with one more option, the step, and one
-/// window for all of them. `page` makes the web page that has them all; the rest is as in [`main`].
+/// What the lecture's `main` runs: the command line of all that is in `suite`, and of the exercises; the
+/// rest is as in [`main`].
 ///
 /// # Panics
 ///
 /// When there is no program.
-pub fn lecture(
-    name: &'static str, concept: &'static str, programs: Vec<Program>, page: fn() -> Result<String>,
-) -> ExitCode {
-    let (page, exercises) = (Some(page), Some(&Known as &dyn Exercises));
-    Suite { name, concept, programs, page, exercises }.run(env::args_os())
+pub fn lecture(suite: Suite) -> ExitCode {
+    Suite { exercises: Some(&Known), ..suite }.run(env::args_os())
 }
 
 /// All that is known.

@@ -44,6 +44,7 @@ pub use compare::side_by_side;
 pub use control::Control;
 pub use control::Refused;
 pub use desk::Act;
+pub use desk::Asked;
 pub use desk::Compare;
 pub use desk::Desk;
 pub use desk::Does;
@@ -54,6 +55,8 @@ pub use desk::Key;
 pub use desk::Program;
 pub use desk::Reading;
 pub use desk::Refusal;
+pub use desk::Stop;
+pub use desk::Tour;
 pub use desk::Wanted;
 pub use desk::WhatIf;
 pub use desk::does;
@@ -65,11 +68,17 @@ pub use desktop::Exercises;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::Finished;
 #[cfg(not(target_family = "wasm"))]
+pub use desktop::LONGEST;
+#[cfg(not(target_family = "wasm"))]
+pub use desktop::Mistake;
+#[cfg(not(target_family = "wasm"))]
 pub use desktop::Suite;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::Verdict;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::Workspace;
+#[cfg(not(target_family = "wasm"))]
+pub use desktop::picture_shown;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::render_parallel;
 #[cfg(not(target_family = "wasm"))]
@@ -90,7 +99,9 @@ pub use language::filled;
 pub use language::translated;
 pub use outside::Outside;
 pub use over::compared;
+pub use over::draw_below;
 pub use over::draw_marks;
+pub use over::height_below;
 pub use over::is_marked;
 pub use over::point_at;
 pub use quantity::Curve;

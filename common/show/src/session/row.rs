@@ -54,6 +54,8 @@ pub(super) enum Target {
     Control(String),
     Fold(Fold),
     Line(LineName),
+    /// A place in the list of stops and figures.
+    Listed(usize),
 }
 
 /// A row of a panel.
@@ -77,6 +79,8 @@ pub(super) enum Row {
     Pixel { text: String, rgb: [u8; 3] },
     /// A key and what it does.
     Key(&'static str, &'static str),
+    /// What can be gone to, and its place in the list.
+    Listed(String, usize),
     /// A paragraph, indented as far as it begins with spaces, behind its `+` or `-` too.
     Text(String, Ink),
 }
@@ -88,6 +92,7 @@ impl Row {
             Self::Heading { fold, .. } => Target::Fold(*fold),
             Self::Control(setting) => Target::Control(setting.name.clone()),
             Self::Line { name: Some(name), .. } => Target::Line(name.clone()),
+            Self::Listed(_, place) => Target::Listed(*place),
             _ => Target::Nothing,
         }
     }
@@ -118,6 +123,7 @@ impl Row {
                 let effect = Font::wrap(em, effect, width - INDENT * em).len();
                 lines(Font::wrap(em, key, width).len() + effect) + 0.2 * em
             }
+            Self::Listed(text, _) => lines(Font::wrap(em, text, width).len()) + 0.3 * em,
             Self::Text(text, _) => {
                 let (_, indent, text) = indented(text, em);
                 lines(Font::wrap(em, text, width - indent).len())
@@ -175,6 +181,9 @@ impl Row {
                 let inset = Area { left: area.left + INDENT * em, top: below, ..area };
                 let inset = Area { width: area.width - INDENT * em, ..inset };
                 draw_text(canvas, inset, em, TEXT, effect);
+            }
+            Self::Listed(text, _) => {
+                draw_text(canvas, Area { top: area.top + 0.15 * em, ..area }, em, TEXT, text);
             }
             Self::Text(text, ink) => {
                 let (sign, indent, text) = indented(text, em);

@@ -65,9 +65,13 @@ impl Session {
                 .rows()
             }),
             Reading::Keys => {
-                let several = self.desk.programs().len() > 1;
+                let several = self.desk.steps() > 1;
                 let rows = table().into_iter().filter(|row| several || !row.lecture);
                 rows.map(|row| row.listed()).map(|(keys, effect)| Row::Key(keys, effect)).collect()
+            }
+            Reading::Stops => {
+                let listed = self.desk.listed().into_iter().enumerate();
+                listed.map(|(place, text)| Row::Listed(text, place)).collect()
             }
             Reading::Diff => diff_rows(self.desk.program().diff),
             Reading::Idea => {
