@@ -69,7 +69,7 @@ fn everybody_can_use_it() {
         browser.resize(width, 640);
         for name in STEPS {
             browser.show(&format!("#{}&pixel=440,200&handles=on", &name[..6]));
-            browser.run("press('k')");
+            browser.run("press('m')");
             browser.unfold();
             // There is nothing beyond the edge.
             let wide = browser.run("return document.documentElement.scrollWidth - innerWidth");

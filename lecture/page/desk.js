@@ -45,8 +45,7 @@ function refresh(keeps) {
   if (said !== language) speak(said);
   const other = !before || before.step !== state.step || before.language !== state.language;
   if (other) showStep();
-  controls.show(state.groups);
-  if (other) choose(selected());
+  if (showControls() || other) choose(selected());
   showStage();
   explain();
   showClass();

@@ -26,7 +26,9 @@ pub use diagnosis::Diagnosis;
 pub use milestone::Milestone;
 pub use mistake::Mistake;
 pub use sample::Pair;
+use show::Code;
 use show::Exercises;
+use show::Files;
 use show::Frame;
 use show::Lesson;
 use show::Program;
@@ -38,11 +40,14 @@ pub use symbol::SYMBOLS;
 
 /// What a step's `main` runs: the command line, and what it asks for.
 ///
-/// `name` is the step's package, `concept` the line that says what it teaches. The exit status is
-/// 0 when all was done, 1 when it failed or a comparison found a difference, 2 for wrong usage.
-pub fn main<S: Step + Default + 'static>(name: &'static str, concept: &'static str) -> ExitCode {
+/// `name` is the step's package, `concept` the line that says what it teaches, `files` its code. The exit
+/// status is 0 when all was done, 1 when it failed or a comparison found a difference, 2 for wrong usage.
+pub fn main<S: Step + Default + 'static>(
+    name: &'static str, concept: &'static str, files: Files,
+) -> ExitCode {
     let make = Rc::new(|| Box::new(Lesson(Box::new(S::default()))) as Box<dyn Shown>);
-    let programs = vec![Program::new(name, concept, Size::DEFAULT, make)];
+    let code = Rc::new(Code::new(files));
+    let programs = vec![Program { code, ..Program::new(name, concept, Size::DEFAULT, make) }];
     let (figures, tours, exercises) = (Vec::new(), Vec::new(), Some(&Known as &dyn Exercises));
     Suite { name, concept, programs, figures, tours, page: None, exercises }.run(env::args_os())
 }

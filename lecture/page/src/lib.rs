@@ -5,6 +5,7 @@ mod class;
 mod protocol;
 mod told;
 
+use image::Rgb;
 use image::RgbImage;
 use serde::Serialize;
 use show::Act;
@@ -48,6 +49,9 @@ pub struct Page {
 /// A figure's name, and what makes it a program.
 pub type Figure = (&'static str, fn() -> Program);
 
+/// Behind what stands below the picture, as in the window.
+const GROUND: Rgb<u8> = Rgb([21, 24, 31]);
+
 /// The most pixels of a picture on the page.
 const MAX_PIXELS: usize = 4_000_000;
 
@@ -59,12 +63,8 @@ impl Page {
     /// When there is no step.
     pub fn new(steps: Vec<Program>, figures: &'static [Figure]) -> Self {
         // What is to be read stands on the page already.
-        let read = |(place, step): (usize, Program)| Program {
-            diff: if place > 0 { "diff" } else { "" },
-            idea: "idea",
-            ..step
-        };
-        let steps = steps.into_iter().enumerate().map(read);
+        let read = |step: Program| Program { idea: "idea", ..step };
+        let steps = steps.into_iter().map(read);
         let all = steps.chain(figures.iter().map(|(_, figure)| figure())).collect();
         Self { desk: Desk::new(all, 0), known: figures, figures: Vec::new() }
     }
@@ -100,7 +100,7 @@ impl Page {
                 let spoken = Language::of_locale(&spoken);
                 json(&state(self.desk_of(of.as_deref())?, spoken))
             }
-            Ask::Explain => json(&self.desk.explanation().map(|told| explained(&told))),
+            Ask::Explain => json(&explained(&self.desk)),
             Ask::Keys => {
                 let listed = show::keys().into_iter().map(|row| row.listed());
                 json(&listed.collect::<Vec<_>>())
@@ -110,6 +110,15 @@ impl Page {
             Ask::Show { of, size, drawn, text } => {
                 let desk = self.desk_of(of.as_deref())?;
                 show(desk, self::size(size)?, pictures(drawn, bytes)?, text)
+            }
+            Ask::Below { size, text, altered } => {
+                let (size, desk) = (self::size(size)?, &self.desk);
+                let mut picture =
+                    RgbImage::from_pixel(size.width() as u32, size.height() as u32, GROUND);
+                let mut canvas = Canvas::new(&mut picture);
+                let area = canvas.area();
+                show::draw_below(desk, &mut canvas, area, text.clamp(1.0, area.height), altered);
+                Ok(rgba(&picture))
             }
         }
     }
@@ -157,20 +166,20 @@ impl Page {
     }
 
     fn rows(
-        &mut self, layer: Layer, wanted: (usize, usize), first: usize, count: usize,
+        &mut self, layer: Layer, size: (usize, usize), first: usize, count: usize,
     ) -> Result<Vec<u8>, String> {
-        let (desk, setup) = match &layer {
-            Layer::Now => (&self.desk, self.desk.setup()),
+        let size = self::size(size)?;
+        let (desk, wanted) = match &layer {
+            Layer::Now => (&self.desk, self.desk.picture_now()),
             Layer::Before => {
-                let before = self.desk.before();
+                let before = self.desk.picture_before();
                 (&self.desk, before.ok_or(text!("there is no step before this one"))?)
             }
             Layer::Figure(name) => {
                 let desk = &*self.figure(name)?;
-                (desk, desk.setup())
+                (desk, desk.picture_now())
             }
         };
-        let size = size(wanted)?;
         if first.checked_add(count).is_none_or(|end| end > size.height()) {
             return Err(text!(
                 "there are no {count} rows from {first} on in a picture of {size}",
@@ -179,9 +188,10 @@ impl Page {
                 size
             ));
         }
-        let camera = desk.onlooker().unwrap_or(setup.view()).camera(size.aspect());
+        let view = desk.onlooker().unwrap_or(wanted.setup.view());
+        let camera = view.camera(size.aspect());
         let mut rgb = vec![0; 3 * size.width() * count];
-        Frame { step: setup.step(), camera: &*camera, size, samples: 1 }
+        Frame { step: wanted.step(), camera: &*camera, size, samples: 1 }
             .render_rows(first, &mut rgb);
         Ok(rgb)
     }
@@ -227,15 +237,19 @@ fn show(
         Canvas::new(&mut larger).picture(&picture, area);
         picture = larger;
     }
-    let setup = desk.setup();
-    setup.draw_over(&*setup.view().camera(size.aspect()), &mut picture);
+    desk.picture_now().draw_over(&mut picture);
     let mut canvas = Canvas::new(&mut picture);
     show::draw_marks(desk, &mut canvas, area, text_size.clamp(1.0, area.height.max(1.0)));
-    let mut rgba = vec![255; 4 * size.width() * size.height()];
+    Ok(rgba(&picture))
+}
+
+/// The bytes of a picture as a browser takes them.
+fn rgba(picture: &RgbImage) -> Vec<u8> {
+    let mut rgba = vec![255; picture.len() / 3 * 4];
     for (to, from) in rgba.chunks_exact_mut(4).zip(picture.chunks_exact(3)) {
         to[..3].copy_from_slice(from);
     }
-    Ok(rgba)
+    rgba
 }
 
 fn do_on(desk: &mut Desk, act: Act) -> Result<Done, String> {
@@ -308,10 +322,12 @@ fn state(desk: &Desk, spoken: Language) -> State {
         reading: match desk.reading() {
             Reading::Pixel => "pixel",
             Reading::Keys => "keys",
-            Reading::Diff => "diff",
+            Reading::Code => "code",
             Reading::Idea => "idea",
             Reading::Stops => "stops",
         },
+        legend: desk.legend().map(|legend| (legend.words(), show::height_below(desk))),
+        altered: desk.altered(),
         alone: desk.alone(),
         blank: desk.is_blank(),
         stop: class::here(desk),

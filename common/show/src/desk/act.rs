@@ -73,6 +73,10 @@ pub enum Act {
     Difference,
     /// A text in place of the pixel's explanation; if it is shown, no more.
     Read(Reading),
+    /// The code is shown to the letter, with its telling, or without it again.
+    Whole,
+    /// The next light or object is looked at in the code.
+    Look,
     /// The picture becomes this told line's at every pixel; if it is, the light's again.
     Show(LineName),
     /// The same of the line of this name.
@@ -135,8 +139,8 @@ pub enum Reading {
     Pixel,
     /// All keys.
     Keys,
-    /// The step's diff.
-    Diff,
+    /// The step's code.
+    Code,
     /// The step's equation and idea.
     Idea,
     /// All stops, and all figures.

@@ -129,7 +129,7 @@ impl Desk {
             Compare::Divided(part) => parts.push(format!("divide={part}")),
             Compare::Difference => parts.push("difference=on".to_owned()),
         }
-        if self.reading() == Reading::Diff {
+        if self.reading() == Reading::Code {
             parts.push("code=on".to_owned());
         }
     }
@@ -229,7 +229,7 @@ impl Desk {
                     return Err(text!("it takes a whole number from 1 to {most}", most).into());
                 }
             },
-            "code" => self.reading = if value == "on" { Reading::Diff } else { self.reading },
+            "code" => self.reading = if value == "on" { Reading::Code } else { self.reading },
             "divide" => match value.parse::<f32>() {
                 Ok(part) if (0.0..=1.0).contains(&part) => self.compare = Compare::Divided(part),
                 _ => {

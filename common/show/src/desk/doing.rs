@@ -141,6 +141,8 @@ impl Desk {
             }
             Act::Difference => return self.compare_by(Compare::Difference),
             Act::Read(reading) => return self.read(reading),
+            Act::Whole => return self.unfold_telling(),
+            Act::Look => return self.look_at_next(),
             Act::Alone => {
                 self.alone = !self.alone;
                 return self.repaint();
@@ -267,7 +269,11 @@ impl Desk {
         }
         let center = |at: usize, pixels: usize| (at as f32 + 0.5) / pixels as f32;
         self.pinned = Some((center(col, width), center(row, height)));
-        self.reading = Reading::Pixel;
+        self.looked_at.clear();
+        // Beside the code a pixel has its numbers, too.
+        if self.reading != Reading::Code {
+            self.reading = Reading::Pixel;
+        }
         if let Some(explanation) = self.explanation() {
             // What is pinned is what is spoken of: names without an owner mean it.
             if let Some(name) = hit_object(&explanation) {

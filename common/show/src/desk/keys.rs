@@ -172,6 +172,13 @@ pub fn table() -> Vec<Row> {
             "show or hide these keys",
             act(&[Key::F(1), letter('M')], Act::Read(Reading::Keys)),
         ),
+        row(
+            "F3, L",
+            "the code that runs for the pinned pixel, with its numbers",
+            act(&[Key::F(3), letter('L')], Act::Read(Reading::Code)),
+        ),
+        row("E", "that code to the letter, as an editor shows it", act(&[letter('E')], Act::Whole)),
+        row("N", "that code for the next light or object", act(&[letter('N')], Act::Look)),
         row("F2, S", "save the picture as a new PNG", act(&[Key::F(2), letter('S')], Act::Save)),
         row("Esc", "back: a text, a quantity, the pin", act(&[Key::Escape], Act::Leave)),
         row(
@@ -207,11 +214,6 @@ pub fn table() -> Vec<Row> {
             "X",
             "where the step before differs, times 8",
             act(&[letter('X')], Act::Difference),
-        ),
-        lecture(
-            "F3, L",
-            "this step's diff",
-            act(&[Key::F(3), letter('L')], Act::Read(Reading::Diff)),
         ),
         lecture(
             "F4, I",

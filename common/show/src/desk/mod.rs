@@ -2,6 +2,7 @@
 
 mod act;
 mod address;
+mod code;
 mod compare;
 mod doing;
 mod glide;
@@ -75,6 +76,10 @@ pub struct Desk {
     /// The step before takes this one's place as long as a key is held.
     holding: bool,
     reading: Reading,
+    /// The code is shown to the letter.
+    whole: bool,
+    /// The lights and objects that were asked for in the code, the last one first.
+    looked_at: Vec<&'static str>,
     /// The told line that keys act on.
     line: Option<LineName>,
     /// The line that was asked to be shown, and between which numbers, also where the step does not tell it.
@@ -145,6 +150,8 @@ impl Desk {
             compare: Compare::Off,
             holding: false,
             reading: Reading::Pixel,
+            whole: false,
+            looked_at: Vec::new(),
             line: None,
             shown: None,
             what_ifs: Vec::new(),
@@ -232,9 +239,9 @@ impl Desk {
 
     /// What is read; the explanation where the program has no such text.
     pub fn reading(&self) -> Reading {
-        let Program { diff, idea, .. } = self.program();
+        let Program { code, idea, .. } = self.program();
         match self.reading {
-            Reading::Diff if diff.is_empty() => Reading::Pixel,
+            Reading::Code if code.is_empty() => Reading::Pixel,
             Reading::Idea if idea.is_empty() => Reading::Pixel,
             Reading::Stops if self.stops().is_empty() => Reading::Pixel,
             reading => reading,
@@ -291,14 +298,22 @@ impl Desk {
         if let Some(glide) = &self.glide {
             return vec![self.wanted(&glide.now, glide.now.view(), self.current, &self.look)];
         }
-        let this = self.wanted(&self.setup, self.seen_from(), self.current, &self.look);
-        let before =
-            |before| self.wanted(before, self.seen_from(), self.current - 1, &self.look_before);
-        match &self.before {
-            Some(setup) if self.holding => vec![before(setup)],
-            Some(setup) if self.compare != Compare::Off => vec![before(setup), this],
-            _ => vec![this],
+        match self.picture_before() {
+            Some(before) if self.holding => vec![before],
+            Some(before) if self.compare != Compare::Off => vec![before, self.picture_now()],
+            _ => vec![self.picture_now()],
         }
+    }
+
+    /// The picture of the step that is shown.
+    pub fn picture_now(&self) -> Wanted<'_> {
+        self.wanted(&self.setup, self.seen_from(), self.current, &self.look)
+    }
+
+    /// That of the step before; none before the first.
+    pub fn picture_before(&self) -> Option<Wanted<'_>> {
+        let setup = self.before.as_ref()?;
+        Some(self.wanted(setup, self.seen_from(), self.current - 1, &self.look_before))
     }
 
     fn wanted<'a>(

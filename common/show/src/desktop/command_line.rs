@@ -238,7 +238,7 @@ pub(super) fn arrange(desk: &mut Desk, matches: &ArgMatches) -> Result<Option<St
     acts.extend(shown.cloned().map(Act::ShowNamed));
     acts.extend(matches.get_one::<String>("range").cloned().map(Act::Range));
     acts.extend(matches.get_flag("curve").then_some(Act::Curve));
-    acts.extend(matches.get_flag("code").then_some(Act::Read(Reading::Diff)));
+    acts.extend(matches.get_flag("code").then_some(Act::Read(Reading::Code)));
     let mut printed = None;
     for act in acts {
         for effect in desk.act(act).map_err(|refusal| told(&refusal))? {

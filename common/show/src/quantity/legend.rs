@@ -37,19 +37,36 @@ impl Legend<'_> {
     /// How high it is, in ems.
     pub const HEIGHT: f32 = 4.2;
 
-    /// Draws it in `area`, with text of this size: the line's name, then its colours with what they
-    /// stand for, and the pinned pixel's value marked.
-    pub fn draw(&self, canvas: &mut Canvas<'_>, area: Area, em: f32) {
-        let (line, map) = (&self.quantity.line, self.quantity.map());
+    /// The line, whose it is, and in what it is measured.
+    fn title(&self) -> String {
+        let line = &self.quantity.line;
         let about = match line.of.as_str() {
             "" => String::new(),
             of => format!("{}: ", translated(of)),
         };
-        let unit = match map {
+        let unit = match self.quantity.map() {
             Map::Distances(_) => text!(" · distance from the eye"),
             _ => "",
         };
-        let title = format!("{about}{}{unit}", translated(&line.equation));
+        format!("{about}{}{unit}", translated(&line.equation))
+    }
+
+    /// It in words, for who does not see it.
+    pub fn words(&self) -> String {
+        let title = self.title();
+        match self.quantity.map().scale() {
+            Some(Scale { low, high, .. }) => {
+                text!("{title}, from {low} to {high}", title, low, high)
+            }
+            None => title,
+        }
+    }
+
+    /// Draws it in `area`, with text of this size: the line's name, then its colours with what they
+    /// stand for, and the pinned pixel's value marked.
+    pub fn draw(&self, canvas: &mut Canvas<'_>, area: Area, em: f32) {
+        let (line, map) = (&self.quantity.line, self.quantity.map());
+        let title = self.title();
         let not_told = text!("not told");
         let note = Font::width(em, not_told) + 1.6 * em;
         let (top, right) = (area.at(Anchor::TopLeft), area.at(Anchor::TopRight));

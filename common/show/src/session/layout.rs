@@ -16,6 +16,8 @@ const COLUMN: f32 = 18.0;
 
 /// How high a stop's text is with what stands over it, in ems: three lines.
 const STOP: f32 = 5.6;
+/// How much of the width code takes.
+const CODE_COLUMN: f32 = 0.58;
 
 /// Where things have their place in a window. Nothing lies over anything else.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,6 +59,8 @@ pub(super) struct Wishes {
     pub(super) hidden: bool,
     /// Whether there is something to be read.
     pub(super) reading: bool,
+    /// Whether that is code, whose lines are long.
+    pub(super) code: bool,
     /// Whether a quantity is shown.
     pub(super) legend: bool,
     /// Whether it is seen as a curve too.
@@ -84,8 +88,11 @@ impl Layout {
     /// How high a row of text is, in ems.
     pub(super) const ROW: f32 = 1.2;
 
+    /// How large code is beside other text: so many lines, and so long ones, are seen at once.
+    pub(super) const CODE: f32 = 0.72;
+
     pub(super) fn new(wishes: &Wishes) -> Self {
-        let Wishes { size, aspect, text, hidden, reading, legend, curve, stop } = *wishes;
+        let Wishes { size, aspect, text, hidden, reading, code, legend, curve, stop } = *wishes;
         let (width, height) = (size.width() as f32, size.height() as f32);
         let window = Area::new(0.0, 0.0, width, height);
         // In a window that is higher than wide the width decides.
@@ -122,7 +129,10 @@ impl Layout {
             let beside = Beside { caption, controls, reading: reading.then_some(upper) };
             return with(picture, width, Some(beside));
         }
-        let column = (COLUMN * em).min(0.5 * width).floor();
+        let column = match code {
+            true => (CODE_COLUMN * width).floor(),
+            false => (COLUMN * em).min(0.5 * width).floor(),
+        };
         let most = (height - 3.5 * row - under).max(0.3 * height);
         let outer = Area::new(0.0, 0.0, width - column, most);
         let picture = fit(outer, aspect);

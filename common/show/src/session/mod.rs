@@ -1,5 +1,6 @@
 //! A desk in a window: where things are on it, and what hands do there.
 
+mod code;
 mod explained;
 mod hands;
 mod layout;
@@ -241,15 +242,10 @@ impl Session {
         if let (Some(panel), Some(line)) = (self.reading_panel(), self.desk.line()) {
             self.reading_scroll = panel.scroll_to(&Target::Line(line.clone()));
         }
-        if shown != self.shown() {
-            if self.desk.stop().is_some() {
-                self.unfold();
-            }
-            let shown = self.targets();
-            if self.selected.as_ref().is_none_or(|selected| !shown.contains(selected)) {
-                self.select_first();
-            }
+        if shown != self.shown() && self.desk.stop().is_some() {
+            self.unfold();
         }
+        self.keep_selection();
         if self.desk.reading() == Reading::Stops
             && let Some(panel) = self.reading_panel()
         {
@@ -273,6 +269,7 @@ impl Session {
             Hand::Reset => {
                 if let Some(Target::Control(name)) = self.selected.clone() {
                     self.act(Act::Reset(name));
+                    self.keep_selection();
                 }
             }
             Hand::Pin => match self.layout().picture.contains(self.pointer) {
@@ -312,6 +309,14 @@ impl Session {
     fn targets(&self) -> Vec<Target> {
         let rows = self.control_rows();
         rows.iter().map(Row::target).filter(|target| *target != Target::Nothing).collect()
+    }
+
+    /// Selects the first control where what is selected is no more.
+    fn keep_selection(&mut self) {
+        let shown = self.targets();
+        if self.selected.as_ref().is_none_or(|selected| !shown.contains(selected)) {
+            self.select_first();
+        }
     }
 
     fn select_first(&mut self) {
@@ -375,6 +380,7 @@ impl Session {
             text: self.text,
             hidden: self.desk.alone(),
             reading: self.has_reading(),
+            code: self.desk.reading() == Reading::Code,
             legend: self.desk.shown_line().is_some(),
             curve: self.desk.has_curve(),
             stop: self.desk.stop().is_some(),
