@@ -286,7 +286,7 @@ fn answers_are_in_the_language_that_was_asked_for() {
         ["\"shown\":\"viewing ray\"", "\"shown\":\"raio de visão\""],
         ["\"outcome\":\"no root: ", "\"outcome\":\"sem raiz: "],
         ["\"shown\":\"key light\"", "\"shown\":\"luz principal\""],
-        ["\"reset all controls\"", "\"devolve a todos os controles o valor inicial\""],
+        ["\"the first stop\"", "\"a primeira parada\""],
         ["cannot be", "não pode ser"],
     ] {
         for (place, answer) in [&english, &portuguese].into_iter().enumerate() {
