@@ -4,5 +4,6 @@ use std::process::ExitCode;
 use step02_sphere::Lesson;
 
 fn main() -> ExitCode {
-    exercises::main::<Lesson>(env!("CARGO_PKG_NAME"), env!("CARGO_PKG_DESCRIPTION"))
+    let name = env!("CARGO_PKG_NAME");
+    exercises::main::<Lesson>(name, env!("CARGO_PKG_DESCRIPTION"), source::of(name))
 }

@@ -33,6 +33,10 @@ function press(key, down = true, fine = false) {
   return done.known;
 }
 
+/** Whether another step or another stop is shown. */
+const isElsewhere = (before) => before.step !== state.step
+  || (before.stop && before.stop.number) !== (state.stop && state.stop.number);
+
 /** Reads what the steps' program holds now, and shows it; another step can be come back from. */
 function refresh(keeps) {
   const before = state;
@@ -44,6 +48,7 @@ function refresh(keeps) {
   if (showControls() || other) choose(selected());
   showStage();
   explain();
+  showClass();
   read(before);
-  writeAddress(keeps && before && before.step !== state.step ? before.address : "");
+  writeAddress(keeps && before && isElsewhere(before) ? before.address : "");
 }

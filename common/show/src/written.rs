@@ -16,6 +16,9 @@ use common::Value;
 /// goes on computing with what is shown gets the next line.
 const DIGITS: (usize, usize) = (7, 6);
 
+/// The digits of a number beside its line of code.
+const SHORT: usize = 4;
+
 /// Below and from here on numbers are written with a power of ten.
 const PLAIN: std::ops::Range<f32> = 1e-3..1e6;
 
@@ -60,6 +63,20 @@ pub fn texts(value: &Value) -> Vec<String> {
             numbers.map(|number| signed(decimal(number, largest, DIGITS.1))).into()
         }
         Value::Word(word) => vec![signed(translated(word).to_owned())],
+    }
+}
+
+/// A value in few digits, as it stands beside its line of code.
+pub(crate) fn short(value: &Value) -> String {
+    let number = |number: f32, largest: f32| decimal(number, largest, SHORT).replace('-', "−");
+    match value {
+        Value::Number(alone) => number(*alone, *alone),
+        Value::Vector(v) => {
+            let numbers = v.to_array();
+            let largest = numbers.iter().fold(0.0_f32, |most, number| most.max(number.abs()));
+            numbers.map(|part| number(part, largest)).join("  ")
+        }
+        Value::Word(word) => translated(word).to_owned(),
     }
 }
 

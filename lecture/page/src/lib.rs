@@ -1,6 +1,7 @@
 //! The steps' program on the page: it is asked, and answers. What asks it is in the scripts beside
 //! this crate's `src`.
 
+mod class;
 mod protocol;
 mod told;
 
@@ -24,6 +25,7 @@ use show::Size;
 use show::text;
 use show::translated;
 
+pub use crate::class::tours;
 use crate::protocol::Ask;
 use crate::protocol::Done;
 use crate::protocol::Group;
@@ -61,13 +63,10 @@ impl Page {
     /// When there is no step.
     pub fn new(steps: Vec<Program>, figures: &'static [Figure]) -> Self {
         // What is to be read stands on the page already.
-        let read = |(place, step): (usize, Program)| Program {
-            diff: if place > 0 { "diff" } else { "" },
-            idea: "idea",
-            ..step
-        };
-        let steps = steps.into_iter().enumerate().map(read).collect();
-        Self { desk: Desk::new(steps, 0), known: figures, figures: Vec::new() }
+        let read = |step: Program| Program { idea: "idea", ..step };
+        let steps = steps.into_iter().map(read);
+        let all = steps.chain(figures.iter().map(|(_, figure)| figure())).collect();
+        Self { desk: Desk::new(all, 0), known: figures, figures: Vec::new() }
     }
 
     /// Answers a question: a line of JSON, below which the bytes of pictures may follow. What may be
@@ -90,6 +89,11 @@ impl Page {
                 let desk = self.figure(&figure)?;
                 let act = what.act(&desk.setup().points()).ok_or_else(no_handle)?;
                 json(&do_on(desk, act)?)
+            }
+            Ask::Tours(tours) => {
+                let tours = tours.into_iter().map(class::tour).collect();
+                self.desk.tour(tours);
+                json(&())
             }
             Ask::Key { key, down } => json(&self.press(&key, down)?),
             Ask::State { of, spoken } => {
@@ -144,7 +148,7 @@ impl Page {
 
     /// Does what a key does; what only the browser can do it is told.
     fn press(&mut self, name: &str, down: bool) -> Result<Done, String> {
-        match key(name).and_then(show::does) {
+        match key(name).and_then(|key| self.desk.does(key)) {
             Some(Does::Act(act)) if down => do_on(&mut self.desk, act),
             Some(Does::While(begin, end)) => do_on(&mut self.desk, if down { begin } else { end }),
             Some(Does::Shell(hand)) if down => {
@@ -251,7 +255,7 @@ fn rgba(picture: &RgbImage) -> Vec<u8> {
 
 fn do_on(desk: &mut Desk, act: Act) -> Result<Done, String> {
     let mut done = Done { known: true, command: act == Act::Command, ..Done::default() };
-    let mut stands_there = false;
+    let (mut stands_there, mut glides) = (false, false);
     for effect in desk.act(act).map_err(|refusal| refusal.to_string())? {
         match effect {
             Effect::Redraw => done.redraw = true,
@@ -259,9 +263,12 @@ fn do_on(desk: &mut Desk, act: Act) -> Result<Done, String> {
             Effect::Save => done.save = true,
             Effect::Say(words) => done.said = Some(words),
             Effect::Print(_) => stands_there = true,
-            // A page does not end itself.
-            Effect::Quit => {}
+            // It is there at once.
+            Effect::Glide => glides = true,
         }
+    }
+    if glides {
+        desk.act(Act::Glide(1.0)).map_err(|refusal| refusal.to_string())?;
     }
     // What others print stands on the page, and need not be spoken of.
     done.said = done.said.filter(|_| !stands_there);
@@ -315,12 +322,16 @@ fn state(desk: &Desk, spoken: Language) -> State {
         reading: match desk.reading() {
             Reading::Pixel => "pixel",
             Reading::Keys => "keys",
-            Reading::Diff => "diff",
+            Reading::Code => "code",
             Reading::Idea => "idea",
+            Reading::Stops => "stops",
         },
         legend: desk.legend().map(|legend| (legend.words(), show::height_below(desk))),
         altered: desk.altered(),
         alone: desk.alone(),
+        blank: desk.is_blank(),
+        stop: class::here(desk),
+        listed: class::listed(desk),
         language: desk.language().name(),
     }
 }

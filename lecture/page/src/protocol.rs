@@ -8,6 +8,9 @@ use show::Handle;
 use show::Key;
 use show::Language;
 
+use crate::class::Here;
+use crate::class::Told;
+
 /// Something that a browser asks of the steps' program.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
@@ -16,6 +19,8 @@ pub(crate) enum Ask {
     Do(What),
     /// Do something with a figure.
     DoOn(String, What),
+    /// The class has these tours, one in each language or one for all.
+    Tours(Vec<Told>),
     /// Do what a key does, when it goes down or up.
     Key { key: String, down: bool },
     /// What is shown now, on the desk or of the figure `of`; of the language the address says nothing
@@ -67,6 +72,7 @@ pub(crate) enum What {
     Show(String, String),
     Otherwise(String, String),
     Step(usize),
+    Listed(usize),
     DivideAt(f32),
     Language(String),
     Open(String),
@@ -89,6 +95,7 @@ impl What {
             Self::Show(equation, of) => Act::Show(LineName { equation, of }),
             Self::Otherwise(equation, of) => Act::WhatIf(LineName { equation, of }),
             Self::Step(number) => Act::Step(number),
+            Self::Listed(place) => Act::Listed(place),
             Self::DivideAt(part) => Act::DivideAt(part),
             Self::Language(locale) => Act::Speak(Language::of_locale(&locale)),
             Self::Open(address) => Act::Open(address),
@@ -168,6 +175,11 @@ pub(crate) struct State {
     /// What is answered otherwise, as it is said; the first group has its controls.
     pub(crate) altered: Option<String>,
     pub(crate) alone: bool,
+    pub(crate) blank: bool,
+    /// Where the class is, if it is at a stop.
+    pub(crate) stop: Option<Here>,
+    /// All stops and figures and the place that is picked, where they are read.
+    pub(crate) listed: Option<(Vec<String>, usize)>,
     pub(crate) language: &'static str,
 }
 

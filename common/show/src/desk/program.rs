@@ -1,5 +1,8 @@
 //! A step as a program.
 
+use std::rc::Rc;
+
+use crate::Code;
 use crate::Language;
 use crate::Make;
 use crate::Size;
@@ -18,8 +21,8 @@ pub struct Program {
     pub size: Size,
     /// The titles of its slides; "" where they need not be told.
     pub slides: &'static str,
-    /// Its diff to the step before; "" where there is none to be shown.
-    pub diff: &'static str,
+    /// Its code; none where there is none to be shown.
+    pub code: Rc<Code>,
     /// Its equation and idea in short, a paragraph a line, equations indented; "" where there is
     /// none to be shown.
     pub idea: &'static str,
@@ -38,7 +41,7 @@ impl Program {
             make,
             size,
             slides: "",
-            diff: "",
+            code: Rc::default(),
             idea: "",
             texts: Vec::new(),
             is_figure: false,

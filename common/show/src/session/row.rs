@@ -1,5 +1,6 @@
 //! A row of a panel: how high it is, and how it is drawn.
 
+use super::code::CodeRow;
 use crate::Anchor;
 use crate::Area;
 use crate::Canvas;
@@ -18,6 +19,8 @@ pub(super) const ACCENT: Ink = Ink::new(255, 208, 64);
 pub(super) const ALTERED: Ink = Ink::new(255, 150, 70);
 /// What a step adds: to its code, and to what is told of a pixel.
 pub(super) const ADDED: Ink = Ink::new(150, 225, 150);
+/// What it takes away.
+pub(super) const REMOVED: Ink = Ink::new(255, 160, 150);
 pub(super) const NEW: Ink = Ink::new(30, 50, 42);
 pub(super) const CHOSEN: Ink = Ink::new(43, 49, 61);
 pub(super) const GROOVE: Ink = Ink::new(66, 74, 90);
@@ -45,6 +48,8 @@ pub(super) enum Fold {
     Section(&'static str),
     /// What is told of one thing within it, counted from 0: several may have the same name.
     Scope(&'static str, usize),
+    /// The rest of a file's code.
+    File(&'static str),
 }
 
 /// What a row acts on.
@@ -54,10 +59,12 @@ pub(super) enum Target {
     Control(String),
     Fold(Fold),
     Line(LineName),
+    /// A place in the list of stops and figures.
+    Listed(usize),
 }
 
 /// A row of a panel.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(super) enum Row {
     /// What stands over rows that can be folded; new if there is something new below it.
     Heading { fold: Fold, text: &'static str, value: String, open: bool, faint: bool, new: bool },
@@ -77,6 +84,10 @@ pub(super) enum Row {
     Pixel { text: String, rgb: [u8; 3] },
     /// A key and what it does.
     Key(&'static str, &'static str),
+    /// What can be gone to, and its place in the list.
+    Listed(String, usize),
+    /// A line of code.
+    Code(CodeRow),
     /// A paragraph, indented as far as it begins with spaces, behind its `+` or `-` too.
     Text(String, Ink),
 }
@@ -88,12 +99,31 @@ impl Row {
             Self::Heading { fold, .. } => Target::Fold(*fold),
             Self::Control(setting) => Target::Control(setting.name.clone()),
             Self::Line { name: Some(name), .. } => Target::Line(name.clone()),
+            Self::Listed(_, place) => Target::Listed(*place),
+            Self::Code(code) => code.name().cloned().map_or(Target::Nothing, Target::Line),
             _ => Target::Nothing,
         }
     }
 
+    /// Whether it acts on `target`, or is code that does.
+    pub(super) fn has(&self, target: &Target) -> bool {
+        match (self, target) {
+            (Self::Code(code), Target::Line(line)) => code.tells(line),
+            _ => self.target() == *target,
+        }
+    }
+
     pub(super) fn is_new(&self) -> bool {
-        matches!(self, Self::Heading { new: true, .. } | Self::Line { new: true, .. })
+        match self {
+            Self::Heading { new, .. } | Self::Line { new, .. } => *new,
+            Self::Code(code) => code.is_new(),
+            _ => false,
+        }
+    }
+
+    /// Whether it is new, and to be read first.
+    pub(super) fn is_first_new(&self) -> bool {
+        self.is_new() && !matches!(self, Self::Heading { fold: Fold::File(_), .. })
     }
 
     /// Whether two of them may share a row.
@@ -110,6 +140,7 @@ impl Row {
         let lines = |count: usize| LINE * em * count as f32;
         match self {
             Self::Heading { fold: Fold::Scope(..), .. } => 1.35 * em,
+            Self::Code(code) => code.height(em, width),
             Self::Heading { .. } | Self::Control(_) | Self::Pixel { .. } => HIGH * em,
             Self::Line { equation, values, .. } => {
                 lines(Columns::new(equation, values, em, width).count()) + 0.15 * em
@@ -118,6 +149,7 @@ impl Row {
                 let effect = Font::wrap(em, effect, width - INDENT * em).len();
                 lines(Font::wrap(em, key, width).len() + effect) + 0.2 * em
             }
+            Self::Listed(text, _) => lines(Font::wrap(em, text, width).len()) + 0.3 * em,
             Self::Text(text, _) => {
                 let (_, indent, text) = indented(text, em);
                 lines(Font::wrap(em, text, width - indent).len())
@@ -176,6 +208,10 @@ impl Row {
                 let inset = Area { width: area.width - INDENT * em, ..inset };
                 draw_text(canvas, inset, em, TEXT, effect);
             }
+            Self::Listed(text, _) => {
+                draw_text(canvas, Area { top: area.top + 0.15 * em, ..area }, em, TEXT, text);
+            }
+            Self::Code(code) => code.draw(canvas, area, em),
             Self::Text(text, ink) => {
                 let (sign, indent, text) = indented(text, em);
                 canvas.text(area.at(Anchor::TopLeft), Anchor::TopLeft, em, *ink, sign);
