@@ -262,7 +262,7 @@ fn a_link_shows_the_same_again() {
     browser.open(link);
     browser.wait_for(DRAWN);
     assert!(seen() == before, "{link} shows something else");
-    let command = "$('command').click(); return $('notice').textContent.endsWith(state.command)";
+    let command = "$('command').click(); return $('notice').textContent.endsWith(asked('command'))";
     assert_eq!(browser.run(command), true);
 
     // What is to be tried is a click away, and keeps the pin.

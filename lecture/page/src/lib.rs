@@ -101,6 +101,7 @@ impl Page {
                 json(&state(self.desk_of(of.as_deref())?, spoken))
             }
             Ask::Explain => json(&explained(&self.desk)),
+            Ask::Command => json(&self.desk.command()),
             Ask::Keys => {
                 let listed = show::keys().into_iter().map(|row| row.listed());
                 json(&listed.collect::<Vec<_>>())
@@ -309,7 +310,6 @@ fn state(desk: &Desk, spoken: Language) -> State {
         name: desk.program().name,
         size: (size.width(), size.height()),
         groups: groups.collect(),
-        command: desk.command(),
         address: desk.address(spoken),
         pin: desk.pinned().map(|pixel| (pixel.col, pixel.row)),
         layers,

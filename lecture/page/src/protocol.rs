@@ -28,6 +28,8 @@ pub(crate) enum Ask {
     State { of: Option<String>, spoken: String },
     /// How the pinned pixel comes by its colour.
     Explain,
+    /// The command that gives what is shown now. It takes time, as it looks for the shortest names.
+    Command,
     /// All keys.
     Keys,
     /// Which handle is at a place of the picture, no farther than `reach`, a share of its width.
@@ -155,7 +157,6 @@ pub(crate) struct State {
     pub(crate) name: &'static str,
     pub(crate) size: (usize, usize),
     pub(crate) groups: Vec<Group>,
-    pub(crate) command: String,
     pub(crate) address: String,
     pub(crate) pin: Option<(usize, usize)>,
     /// The pictures that are wanted: `now`, `before` or both.
