@@ -38,11 +38,15 @@ pub use symbol::SYMBOLS;
 
 /// What a step's `main` runs: the command line, and what it asks for.
 ///
-/// `name` is the step's package, `concept` the line that says what it teaches. The exit status is
-/// 0 when all was done, 1 when it failed or a comparison found a difference, 2 for wrong usage.
-pub fn main<S: Step + Default + 'static>(name: &'static str, concept: &'static str) -> ExitCode {
+/// `name` is the step's package, `concept` the line that says what it teaches, `handout` what is read
+/// about it. The exit status is 0 when all was done, 1 when it failed or a comparison found a difference,
+/// 2 for wrong usage.
+pub fn main<S: Step + Default + 'static>(
+    name: &'static str, concept: &'static str, handout: &'static str,
+) -> ExitCode {
     let make = Rc::new(|| Box::new(Lesson(Box::new(S::default()))) as Box<dyn Shown>);
-    let programs = vec![Program::new(name, concept, Size::DEFAULT, make)];
+    let program = Program::new(name, concept, Size::DEFAULT, make);
+    let programs = vec![Program { handout, ..program }];
     Suite { name, concept, programs, page: None, exercises: Some(&Known) }.run(env::args_os())
 }
 

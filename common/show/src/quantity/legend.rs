@@ -5,9 +5,12 @@ use super::Quantity;
 use super::Scale;
 use crate::Anchor;
 use crate::Area;
+use crate::Boxed;
 use crate::Canvas;
 use crate::Font;
 use crate::Ink;
+use crate::Kind;
+use crate::plain;
 use crate::text;
 use crate::translated;
 use canvas::STRIPES;
@@ -49,13 +52,23 @@ impl Legend<'_> {
             Map::Distances(_) => text!(" · distance from the eye"),
             _ => "",
         };
-        let title = format!("{about}{}{unit}", translated(&line.equation));
+        let kind = if matches!(map, Map::Directions | Map::Distances(_)) {
+            Kind::Vector
+        } else {
+            Kind::Scalar
+        };
         let not_told = text!("not told");
         let note = Font::width(em, not_told) + 1.6 * em;
         let (top, right) = (area.at(Anchor::TopLeft), area.at(Anchor::TopRight));
         let room = area.width - note;
-        canvas.text_within(top, Anchor::TopLeft, em, TEXT, &title, room);
-        let wide = Font::width(em, &title) + em;
+        canvas.text_within(top, Anchor::TopLeft, em, TEXT, &about, room);
+        let mut wide = Font::width(em, &about);
+        let title = plain(translated(&line.equation), kind);
+        let title = Boxed::within(&title, em, (room - wide).max(1.0));
+        title.draw(canvas, (top.0 + wide, top.1 + 0.93 * em), TEXT, false);
+        wide += title.width;
+        canvas.text_within((top.0 + wide, top.1), Anchor::TopLeft, em, FAINT, unit, room - wide);
+        wide += Font::width(em, unit) + em;
         let after = (top.0 + wide, top.1);
         canvas.text_within(
             after,

@@ -2,18 +2,26 @@
 
 use super::Session;
 use super::explained::Told;
+use super::layout::split;
 use super::panel::Panel;
 use super::row::ACCENT;
 use super::row::ADDED;
 use super::row::FAINT;
 use super::row::Fold;
+use super::row::MARGIN;
 use super::row::Row;
 use super::row::TEXT;
+use crate::Area;
+use crate::Boxed;
 use crate::Group;
 use crate::Ink;
 use crate::Reading;
 use crate::desk::table;
+use crate::latex;
 use crate::translated;
+
+/// How much of what is read of a pixel its law may be.
+const LAW: f32 = 0.5;
 
 /// What a diff takes away.
 const REMOVED: Ink = Ink::new(255, 160, 150);
@@ -29,8 +37,22 @@ impl Session {
 
     pub(super) fn reading_panel(&self) -> Option<Panel> {
         let layout = self.layout();
-        let area = layout.beside?.reading?;
+        let mut area = layout.beside?.reading?;
+        if let Some((_, above)) = self.law() {
+            area = split(area, above.height).1;
+        }
         Some(Panel::new(area, layout.em, self.reading_rows(), self.reading_scroll))
+    }
+
+    /// The law with the pinned pixel's numbers, and where it stands: on top of what is read of the pixel.
+    pub(super) fn law(&self) -> Option<(Boxed, Area)> {
+        let layout = self.layout();
+        let area = layout.beside?.reading.filter(|_| self.desk.reading() == Reading::Pixel)?;
+        let margin = MARGIN * layout.em;
+        let room = (area.width - 2.0 * margin, LAW * area.height);
+        let law = self.desk.law()?.set(1.2 * layout.em, room.0, room.1);
+        let height = law.height() + if law.width > 0.0 { 1.2 * margin } else { 0.0 };
+        Some((law, Area { height, ..area }))
     }
 
     /// The controls in their groups.
@@ -72,8 +94,11 @@ impl Session {
             Reading::Diff => diff_rows(self.desk.program().diff),
             Reading::Idea => {
                 let lines = self.desk.program().told().1.lines();
-                let ink = |line: &str| if line.starts_with(' ') { ACCENT } else { TEXT };
-                lines.map(|line| Row::Text(line.to_owned(), ink(line))).collect()
+                let row = |line: &str| match line.strip_prefix("  ") {
+                    Some(equation) => Row::Equation(latex(equation)),
+                    None => Row::Text(line.to_owned(), TEXT),
+                };
+                lines.map(row).collect()
             }
         }
     }
