@@ -3,8 +3,8 @@
 use std::rc::Rc;
 
 use crate::Code;
-use crate::Kind;
 use crate::Language;
+use crate::Letters;
 use crate::Make;
 use crate::Math;
 use crate::Size;
@@ -77,7 +77,7 @@ impl Program {
             symbols.filter_map(|row| row.split(" | ").next()).flat_map(|names| names.split(", "));
         let is_it = |name: &str| {
             let name = name.replace(['*', '\\'], "");
-            [Kind::Scalar, Kind::Vector]
+            [Letters::Scalar, Letters::Vector]
                 .iter()
                 .any(|kind| plain(&name, *kind).key() == symbol.key())
         };

@@ -15,7 +15,7 @@ pub use law::Law;
 pub use law::laws;
 pub use law::typeset;
 pub use markup::mathml;
-pub use read::Kind;
+pub use read::Letters;
 pub use read::latex;
 pub use read::plain;
 pub use symbols::Symbols;

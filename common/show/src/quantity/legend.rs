@@ -9,7 +9,7 @@ use crate::Boxed;
 use crate::Canvas;
 use crate::Font;
 use crate::Ink;
-use crate::Kind;
+use crate::Letters;
 use crate::plain;
 use crate::text;
 use crate::translated;
@@ -71,9 +71,9 @@ impl Legend<'_> {
         let (line, map) = (&self.quantity.line, self.quantity.map());
         let (about, unit) = self.around();
         let kind = if matches!(map, Map::Directions | Map::Distances(_)) {
-            Kind::Vector
+            Letters::Vector
         } else {
-            Kind::Scalar
+            Letters::Scalar
         };
         let not_told = text!("not told");
         let note = Font::width(em, not_told) + 1.6 * em;

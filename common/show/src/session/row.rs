@@ -7,7 +7,7 @@ use crate::Boxed;
 use crate::Canvas;
 use crate::Font;
 use crate::Ink;
-use crate::Kind;
+use crate::Letters;
 use crate::Math;
 use crate::Setting;
 use crate::plain;
@@ -189,7 +189,8 @@ impl Row {
             Self::Control(setting) => {
                 let slider = slider(area, em);
                 let name = slider.left - area.left - 0.5 * em;
-                let kind = if setting.control.axis.is_some() { Kind::Vector } else { Kind::Scalar };
+                let kind =
+                    if setting.control.axis.is_some() { Letters::Vector } else { Letters::Scalar };
                 let symbol = Boxed::within(&plain(&setting.control.name, kind), em, name);
                 symbol.draw(canvas, (middle.0, middle.1 + 0.3 * em), TEXT, true);
                 let ink = if setting.changed { ACCENT } else { TEXT };
