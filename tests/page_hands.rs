@@ -125,6 +125,16 @@ fn standard(key: Key) -> String {
     char::from_u32(0xe000 + code).expect("a private character").to_string()
 }
 
+/// An address without the last digits of what was computed: of those a browser and the processor may
+/// think differently.
+fn rough(address: &str) -> String {
+    let parts = address.split_inclusive(['=', ',', '&']).map(|part| {
+        let number = part.trim_end_matches(['=', ',', '&']).parse::<f32>();
+        number.map_or(part.to_owned(), |number| format!("{number:.4},"))
+    });
+    parts.collect()
+}
+
 #[test]
 #[ignore = "needs Chromium and the wasm target"]
 fn each_key_does_what_it_does_in_the_window() {
@@ -146,10 +156,15 @@ fn each_key_does_what_it_does_in_the_window() {
             browser.wait_for(DRAWN);
             let (desk, selected) = (session.desk(), session.selected());
             let reads = desk.reading() == Reading::Keys;
-            let shown = browser.run(
-                "return [state.address, state.holding, selected().name || null, !$('keys').hidden, $('panels').offsetParent === null]",
+            assert_eq!(
+                rough(&browser.text("return state.address")),
+                rough(&address(desk)),
+                "{key:?}"
             );
-            let expected = json!([address(desk), desk.is_holding(), selected, reads, desk.alone()]);
+            let shown = browser.run(
+                "return [state.holding, selected().name || null, !$('keys').hidden, $('panels').offsetParent === null]",
+            );
+            let expected = json!([desk.is_holding(), selected, reads, desk.alone()]);
             assert_eq!(shown, expected, "{key:?}");
         }
     }
@@ -208,7 +223,7 @@ fn the_keyboard_reaches_it_all() {
     assert_eq!(browser.run(state), json!([7, false, false]));
 
     // What is read instead comes into sight, in larger letters if need be.
-    for (key, place) in [('K', "keys"), ('L', "diff07"), ('I', "handout07-en")] {
+    for (key, place) in [('M', "keys"), ('L', "diff07"), ('I', "handout07-en")] {
         press(Key::Char(key));
         let top = format!("$('{place}').getBoundingClientRect().top");
         browser.wait_until(&format!("{top} >= -1 && {top} < innerHeight / 2"));
@@ -238,7 +253,7 @@ fn a_link_shows_the_same_again_and_none_harms() {
     browser.open(link);
     browser.wait_for(DRAWN);
     assert!(seen() == before, "{link} shows something else");
-    let command = "$('command').click(); return $('notice').textContent.endsWith(state.command)";
+    let command = "$('command').click(); return $('notice').textContent.endsWith(asked('command'))";
     assert_eq!(browser.run(command), true);
 
     // What is to be tried is a click away, and keeps the pin.

@@ -67,7 +67,9 @@ fn everybody_can_use_it() {
         browser.resize(width, 640);
         for name in STEPS {
             browser.show(&format!("#{}&pixel=440,200&handles=on", &name[..6]));
-            browser.run("press('k')");
+            // A line as a picture, with its curve, and another altered.
+            browser.run("for (const key of 'kqjuw') press(key)");
+            browser.run("press('m')");
             browser.unfold();
             // There is nothing beyond the edge.
             let wide = browser.run("return document.documentElement.scrollWidth - innerWidth");

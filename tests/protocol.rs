@@ -19,7 +19,7 @@ impl Asked {
         self.0.answer(&[question.to_string().as_bytes(), b"\n", below].concat())
     }
 
-    fn bytes(&mut self, question: Value, below: &[u8]) -> Vec<u8> {
+    pub(crate) fn bytes(&mut self, question: Value, below: &[u8]) -> Vec<u8> {
         self.answer(&question, below).unwrap_or_else(|error| panic!("{question}: {error}"))
     }
 
@@ -31,7 +31,7 @@ impl Asked {
         self.ask(json!({"do": what}))
     }
 
-    fn press(&mut self, key: &str) -> Value {
+    pub(crate) fn press(&mut self, key: &str) -> Value {
         self.ask(json!({"key": {"key": key, "down": true}}))
     }
 
@@ -40,7 +40,7 @@ impl Asked {
     }
 
     /// All rows of a layer, 64 × 36 pixels large.
-    fn rows(&mut self, layer: Value) -> Vec<u8> {
+    pub(crate) fn rows(&mut self, layer: Value) -> Vec<u8> {
         self.bytes(rows(layer, [64, 36], 0, 36), b"")
     }
 
@@ -237,7 +237,7 @@ fn answers_are_in_the_language_that_was_asked_for() {
         ["\"shown\":\"viewing ray\"", "\"shown\":\"raio de visão\""],
         ["\"outcome\":\"no root: ", "\"outcome\":\"sem raiz: "],
         ["\"shown\":\"key light\"", "\"shown\":\"luz principal\""],
-        ["\"reset all controls\"", "\"devolve a todos os controles o valor inicial\""],
+        ["\"the first stop\"", "\"a primeira parada\""],
         ["cannot be", "não pode ser"],
     ] {
         for (place, answer) in [&english, &portuguese].into_iter().enumerate() {

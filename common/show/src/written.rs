@@ -16,6 +16,9 @@ use common::Value;
 /// goes on computing with what is shown gets the next line.
 const DIGITS: (usize, usize) = (7, 6);
 
+/// The digits that are read at a glance, on a screen.
+const GLANCE: usize = 4;
+
 /// Below and from here on numbers are written with a power of ten.
 const PLAIN: std::ops::Range<f32> = 1e-3..1e6;
 
@@ -61,6 +64,22 @@ pub fn texts(value: &Value) -> Vec<String> {
         }
         Value::Word(word) => vec![signed(translated(word).to_owned())],
     }
+}
+
+/// A value in few digits, as it stands beside its line of code.
+pub(crate) fn short(value: &Value) -> String {
+    rounded(value).join("  ")
+}
+
+/// A value's numbers with four digits, as they stand on a screen, or its word.
+pub fn rounded(value: &Value) -> Vec<String> {
+    let (numbers, largest) = match *value {
+        Value::Number(number) => (vec![number], number),
+        Value::Vector(v) => (v.to_array().to_vec(), v.abs().max_element()),
+        Value::Word(word) => return vec![translated(word).to_owned()],
+    };
+    let text = |number: f32| decimal(number, largest, GLANCE).replace('-', "−");
+    numbers.into_iter().map(text).map(|text| text.replace("inf", "∞")).collect()
 }
 
 /// A value in columns.

@@ -6,13 +6,20 @@ mod drawing;
 mod exercises;
 mod file;
 mod help;
+mod input;
 mod job;
 mod key;
+mod panicked;
 mod progress;
+mod remembered;
 mod said;
 mod shell;
 mod suite;
+mod tour_text;
+mod tours;
+mod watch;
 mod window;
+mod workspace;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -24,6 +31,10 @@ pub use exercises::Exercises;
 pub use exercises::Verdict;
 pub use said::report;
 pub use suite::Suite;
+pub use tour_text::LONGEST;
+pub use tour_text::Mistake;
+pub use tours::picture_shown;
+pub use workspace::Workspace;
 
 use crate::Program;
 

@@ -3,6 +3,9 @@
 use std::collections::VecDeque;
 use std::mem;
 use std::ops::ControlFlow;
+use std::panic;
+use std::panic::AssertUnwindSafe;
+use std::process::Command;
 use std::thread;
 use std::time::Duration;
 use std::time::Instant;
@@ -10,16 +13,20 @@ use std::time::Instant;
 use anyhow::Context;
 use anyhow::Result;
 use image::RgbImage;
-use minifb::MouseMode;
 
 use super::drawing::Drawing;
 use super::file;
-use super::key::session_key;
+use super::panicked::Panicked;
+use super::remembered::Remembered;
 use super::said::print;
 use super::said::report;
+use super::watch::News;
+use super::watch::Watch;
+use super::watch::replace;
 use super::window::Window;
 use crate::Effect;
 use crate::Event;
+use crate::Language;
 use crate::Session;
 use crate::Size;
 use crate::Wanted;
@@ -29,21 +36,38 @@ use crate::text;
 /// included: 40 a second.
 const PERIOD: Duration = Duration::from_millis(25);
 
+/// How long the pictures are on their way from one stop to the next.
+const GLIDE: Duration = Duration::from_millis(250);
+
 /// Between two looks at keys and mouse when there is nothing to do.
 const REST: Duration = Duration::from_millis(8);
 
 /// How long a picture that is being refined stays as it is.
 const REFRESH: Duration = Duration::from_millis(100);
 
-/// Shows `session` in `window` until that is closed.
+/// How often in a row a session may panic before the program ends.
+const PANICS: usize = 3;
+
+/// Shows `session` in `window` until that is closed; with `watch`, until `name` is built anew, which then
+/// takes its place.
 ///
 /// # Errors
 ///
 /// When the window system, or standard output, fails.
-pub(super) fn run(window: Window, session: Session) -> Result<()> {
+pub(super) fn run(
+    name: &'static str, window: Window, mut session: Session, watch: Option<Watch>,
+    (remembered, still): (Remembered, bool),
+) -> Result<()> {
     let size = window.size().context(text!("the window has no size"))?;
+    session.handle(Event::Resize(size));
+    let begun = session.desk().stop().map(|(number, _)| number);
     let shell = Shell {
-        titled: session.desk().program().title(),
+        name,
+        watch,
+        panicked: Panicked::listen(),
+        panics: 0,
+        broken: false,
+        titled: session.desk().title(),
         window,
         session,
         drawings: Vec::new(),
@@ -53,6 +77,11 @@ pub(super) fn run(window: Window, session: Session) -> Result<()> {
         pointer: (0.0, 0.0),
         down: false,
         fine: false,
+        ctrl: false,
+        still,
+        glide: None,
+        begun,
+        remembered,
         active: false,
         redraw: true,
         repaint: false,
@@ -62,62 +91,152 @@ pub(super) fn run(window: Window, session: Session) -> Result<()> {
 }
 
 /// A window and what is seen in it.
-struct Shell {
-    window: Window,
-    session: Session,
-    titled: String,
+pub(super) struct Shell {
+    pub(super) name: &'static str,
+    pub(super) watch: Option<Watch>,
+    /// What was said of a panic that nobody was told of yet.
+    pub(super) panicked: Panicked,
+    /// How many turns in a row panicked.
+    pub(super) panics: usize,
+    /// The drawings panic, as long as nothing is changed.
+    pub(super) broken: bool,
+    pub(super) window: Window,
+    pub(super) session: Session,
+    pub(super) titled: String,
     /// The pictures that the session wants, in its order, each with its program.
-    drawings: Vec<(usize, Drawing)>,
+    pub(super) drawings: Vec<(usize, Drawing)>,
     /// The pictures that are to be saved as soon as they are complete; until then further input
-    /// waits, but for Escape.
-    saving: Option<Vec<Drawing>>,
-    painted: RgbImage,
-    size: Size,
-    pointer: (f32, f32),
+    /// waits.
+    pub(super) saving: Option<Vec<Drawing>>,
+    pub(super) painted: RgbImage,
+    pub(super) size: Size,
+    pub(super) pointer: (f32, f32),
     /// The mouse button is down, as far as the session knows.
-    down: bool,
+    pub(super) down: bool,
     /// Shift is down.
-    fine: bool,
-    active: bool,
+    pub(super) fine: bool,
+    pub(super) ctrl: bool,
+    /// Nothing glides.
+    pub(super) still: bool,
+    /// Since when the pictures are on their way to a stop.
+    pub(super) glide: Option<Instant>,
+    pub(super) remembered: Remembered,
+    /// The stop at which the class began, until it goes on: until then the last class is remembered.
+    pub(super) begun: Option<usize>,
+    pub(super) active: bool,
     /// The drawings are not what the session wants.
-    redraw: bool,
+    pub(super) redraw: bool,
     /// What is on the screen is not all that there is to be shown.
-    repaint: bool,
+    pub(super) repaint: bool,
     /// When the pictures of the last second were done.
-    done: VecDeque<Instant>,
+    pub(super) done: VecDeque<Instant>,
 }
 
 impl Shell {
     fn run(mut self) -> Result<()> {
         loop {
-            self.look()?;
-            if !self.window.window.is_open() || self.input()?.is_break() {
-                return Ok(());
-            }
-            if let Some(size) = self.window.size().filter(|size| *size != self.size) {
-                self.size = size;
-                if self.tell(Event::Resize(size))?.is_break() {
-                    return Ok(());
+            // What a student writes may panic, and the class goes on.
+            match panic::catch_unwind(AssertUnwindSafe(|| self.turn())) {
+                Ok(turn) => {
+                    if turn?.is_break() {
+                        return Ok(());
+                    }
                 }
-            }
-            if mem::take(&mut self.redraw) {
-                self.restart();
-            }
-            if self.saving.is_some() {
-                self.save()?;
-            } else {
-                self.work();
+                Err(payload) => {
+                    self.panics += 1;
+                    if self.panics > PANICS {
+                        panic::resume_unwind(payload);
+                    }
+                    self.give_up();
+                }
             }
         }
     }
 
+    fn turn(&mut self) -> Result<ControlFlow<()>> {
+        self.look()?;
+        if !self.window.window.is_open() || self.input()?.is_break() {
+            return Ok(ControlFlow::Break(()));
+        }
+        if let Some(size) = self.window.size().filter(|size| *size != self.size) {
+            self.size = size;
+            self.tell(Event::Resize(size))?;
+        }
+        self.go_on()?;
+        if let Some(start) = self.glide {
+            let part = start.elapsed().as_secs_f32() / GLIDE.as_secs_f32();
+            self.glide = self.glide.filter(|_| part < 1.0);
+            self.tell(Event::Glide(part))?;
+        }
+        self.remember();
+        if mem::take(&mut self.redraw) {
+            self.restart();
+        }
+        if self.saving.is_some() {
+            self.save()?;
+        } else if !self.broken {
+            self.work();
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+
+    /// Says what panicked, and draws no more of it until something is changed.
+    fn give_up(&mut self) {
+        let said = self.panicked.take();
+        self.saving = None;
+        self.broken = true;
+        if let Some(said) = said {
+            report(self.name, &said);
+            self.session.handle(Event::Failed(said));
+        }
+        self.repaint = true;
+    }
+
+    /// Says what comes of a save, and gives place to the new program.
+    fn go_on(&mut self) -> Result<()> {
+        let Some(news) = self.watch.as_ref().and_then(|watch| watch.news(|| self.arguments()))
+        else {
+            return Ok(());
+        };
+        let notice = match news {
+            News::Building => text!("building …").to_owned(),
+            News::Failed(why) => {
+                report(self.name, &why);
+                why
+            }
+            News::Built(program) => {
+                let mut arguments = self.arguments();
+                arguments
+                    .extend(["--samples".to_owned(), self.session.desk().samples().to_string()]);
+                arguments.extend(["--watch".to_owned(), "--window".to_owned()]);
+                arguments.push(self.window.place());
+                let error = replace(Command::new(program).args(arguments));
+                error.context(text!("cannot run {name}", name = self.name))?;
+                return Ok(());
+            }
+        };
+        self.session.handle(Event::Notice(notice));
+        self.repaint = true;
+        Ok(())
+    }
+
+    /// With what a program shows what is shown now.
+    fn arguments(&self) -> Vec<String> {
+        let desk = self.session.desk();
+        let mut arguments = vec!["--open".to_owned(), desk.address(Language::ENGLISH)];
+        arguments.extend(["--language".to_owned(), desk.language().name().to_owned()]);
+        arguments
+    }
+
     fn is_complete(&self) -> bool {
-        self.saving.is_none() && self.drawings.iter().all(|(_, drawing)| drawing.is_complete())
+        let drawn = || self.drawings.iter().all(|(_, drawing)| drawing.is_complete());
+        self.saving.is_none() && (self.broken || drawn())
     }
 
     /// Starts the pictures that the session wants.
     fn restart(&mut self) {
-        let title = self.session.desk().program().title();
+        self.broken = false;
+        let title = self.session.desk().title();
         if self.titled != title {
             self.window.window.set_title(&title);
             self.titled = title;
@@ -157,7 +276,8 @@ impl Shell {
     fn look(&mut self) -> Result<()> {
         let complete = self.is_complete();
         let refined = !complete && self.window.sent.elapsed() > REFRESH;
-        let drafting = self.drawings.iter().any(|(_, drawing)| drawing.is_drafting());
+        let drafting =
+            !self.broken && self.drawings.iter().any(|(_, drawing)| drawing.is_drafting());
         if !drafting && (self.repaint || refined || self.window.is_stale()) {
             self.repaint = false;
             return self.send();
@@ -180,6 +300,7 @@ impl Shell {
             self.drawings.iter().map(|(_, drawing)| drawing.picture()).collect();
         self.session.paint(&mut self.painted, &pictures, &status);
         self.window.send(&self.painted)?;
+        self.panics = 0;
         self.window.cost = start.elapsed();
         Ok(())
     }
@@ -206,66 +327,8 @@ impl Shell {
         status
     }
 
-    /// Takes all keys and the mouse into account; a break when the program shall end.
-    fn input(&mut self) -> Result<ControlFlow<()>> {
-        if self.saving.is_some() {
-            let quit = self.window.typed.contains(&(minifb::Key::Escape, true));
-            return Ok(if quit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) });
-        }
-        let mut events = Vec::new();
-        let active = self.window.window.is_active();
-        if mem::replace(&mut self.active, active) && !active {
-            // Who leaves by Alt+Shift+Tab lets go of Shift elsewhere.
-            self.fine = false;
-            events.push(Event::FocusLost);
-        }
-        self.mouse(&mut events);
-        for event in events {
-            if self.tell(event)?.is_break() {
-                return Ok(ControlFlow::Break(()));
-            }
-        }
-        while self.saving.is_none() {
-            let Some((key, down)) = self.window.typed.pop_front() else {
-                break;
-            };
-            let event = match (key, down) {
-                (minifb::Key::LeftShift | minifb::Key::RightShift, down) => {
-                    self.fine = down;
-                    continue;
-                }
-                (key, true) => session_key(key).map(|key| Event::Key(key, self.fine)),
-                (key, false) => session_key(key).map(Event::KeyUp),
-            };
-            if let Some(event) = event
-                && self.tell(event)?.is_break()
-            {
-                return Ok(ControlFlow::Break(()));
-            }
-        }
-        Ok(ControlFlow::Continue(()))
-    }
-
-    fn mouse(&mut self, events: &mut Vec<Event>) {
-        if let Some((x, y)) = self.window.window.get_mouse_pos(MouseMode::Pass) {
-            let (down, was_down) = (self.window.pressed, self.down);
-            self.down = down;
-            match (was_down, down) {
-                (false, true) => events.push(Event::Press(x, y)),
-                (true, false) => events.push(Event::Release(x, y)),
-                _ if (x, y) != self.pointer => events.push(Event::Move(x, y)),
-                _ => {}
-            }
-            self.pointer = (x, y);
-        }
-        let notches = mem::take(&mut self.window.wheel);
-        if notches != 0.0 {
-            events.push(Event::Wheel(notches));
-        }
-    }
-
     /// Tells the session of an event, and does what it asks for.
-    fn tell(&mut self, event: Event) -> Result<ControlFlow<()>> {
+    pub(super) fn tell(&mut self, event: Event) -> Result<()> {
         for effect in self.session.handle(event) {
             match effect {
                 Effect::Redraw => {
@@ -283,15 +346,30 @@ impl Shell {
                         Drawing::new(size, desk.samples(), wanted.camera, Duration::MAX)
                     };
                     self.saving = Some(desk.pictures().into_iter().map(drawing).collect());
-                    self.session.handle(Event::Say(
-                        text!("saved as soon as it is complete; Esc quits").to_owned(),
-                    ));
+                    self.session
+                        .handle(Event::Say(text!("saved as soon as it is complete").to_owned()));
                     self.repaint = true;
                 }
-                Effect::Quit => return Ok(ControlFlow::Break(())),
+                // Where a picture takes long, a way of pictures takes longer.
+                Effect::Glide if self.still || self.window.cost > 2 * PERIOD => {
+                    self.tell(Event::Glide(1.0))?;
+                }
+                Effect::Glide => self.glide = Some(Instant::now()),
             }
         }
-        Ok(ControlFlow::Continue(()))
+        Ok(())
+    }
+
+    /// Remembers where the class is, for a next time.
+    fn remember(&mut self) {
+        let desk = self.session.desk();
+        let Some((number, _)) = desk.stop() else { return };
+        self.begun = self.begun.filter(|begun| *begun == number);
+        let stop = if self.begun.is_some() { self.remembered.stop } else { number };
+        if (self.remembered.stop, self.remembered.size) != (stop, Some(self.size)) {
+            (self.remembered.stop, self.remembered.size) = (stop, Some(self.size));
+            self.remembered.write();
+        }
     }
 
     /// Goes on with the picture that is to be saved, and saves it if it is complete.
@@ -317,6 +395,6 @@ impl Shell {
             Err(error) => file::told(&error),
         };
         report(name, &done);
-        self.tell(Event::Say(done)).map(|_| ())
+        self.tell(Event::Say(done))
     }
 }

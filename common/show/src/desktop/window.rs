@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 use std::env;
 use std::mem;
+use std::str::FromStr;
 use std::sync::mpsc;
 use std::sync::mpsc::Receiver;
 use std::sync::mpsc::Sender;
@@ -27,6 +28,9 @@ use crate::text;
 const RESEND: Duration = Duration::from_millis(300);
 const RESEND_SHARE: u32 = 50;
 
+/// When a window has come to rest where the window system puts it.
+const SETTLED: Duration = Duration::from_secs(1);
+
 /// The longest side that every window system takes.
 const LONGEST: usize = 16384;
 
@@ -39,6 +43,31 @@ const NOTCH: f32 = if cfg!(windows) {
 } else {
     2.0
 };
+
+/// How large a window is, and where its upper left corner is on the screen, if that is said:
+/// `1280x720` or `1280x720+100+50`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    pub(super) size: Size,
+    pub(super) at: Option<(isize, isize)>,
+}
+
+impl FromStr for Place {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let wrong = || text!("a window is WxH or WxH+X+Y, such as 1280x720+0+0").to_owned();
+        let mut parts = text.split('+');
+        let size = parts.next().unwrap_or_default().parse::<Size>().map_err(|_| wrong())?;
+        let parts: Vec<isize> =
+            parts.map(|part| part.parse().map_err(|_| wrong())).collect::<Result<_, _>>()?;
+        match parts[..] {
+            [] => Ok(Self { size, at: None }),
+            [x, y] => Ok(Self { size, at: Some((x, y)) }),
+            _ => Err(wrong()),
+        }
+    }
+}
 
 /// A window without content yet.
 pub(super) struct Window {
@@ -56,6 +85,10 @@ pub(super) struct Window {
     pub(super) sent: Instant,
     /// How long it took to compose and send the pixels.
     pub(super) cost: Duration,
+    /// Where it was asked to be, and where it was said to be when it had come to rest.
+    asked: Option<(isize, isize)>,
+    first: Option<(isize, isize)>,
+    opened: Instant,
 }
 
 struct Keys(Sender<(minifb::Key, bool)>);
@@ -75,7 +108,7 @@ impl Window {
     /// # Errors
     ///
     /// When there is no display, or the window would be too large for it.
-    pub(super) fn open(title: &str, size: Size) -> Result<Self> {
+    pub(super) fn open(title: &str, Place { size, at }: Place) -> Result<Self> {
         let (width, height) = (size.width(), size.height());
         ensure!(
             width.max(height) <= LONGEST,
@@ -97,6 +130,9 @@ impl Window {
             ..WindowOptions::default()
         };
         let mut window = minifb::Window::new(title, width, height, options).map_err(reason)?;
+        if let Some((x, y)) = at {
+            window.set_position(x, y);
+        }
         // Who has something to do must not wait, and who has nothing sleeps by itself.
         window.set_target_fps(0);
         let (sender, keys) = mpsc::channel();
@@ -104,7 +140,38 @@ impl Window {
         let (shown, spare) = (Vec::new(), Vec::new());
         let (sent, cost) = (Instant::now(), Duration::ZERO);
         let typed = VecDeque::new();
-        Ok(Self { window, keys, typed, pressed: false, wheel: 0.0, shown, spare, sent, cost })
+        Ok(Self {
+            window,
+            keys,
+            typed,
+            pressed: false,
+            wheel: 0.0,
+            shown,
+            spare,
+            sent,
+            cost,
+            asked: at,
+            first: None,
+            opened: sent,
+        })
+    }
+
+    /// Where it is, as [`Place`] is written; where the window system put it, only its size. What minifb
+    /// says of the position counts a frame twice, so only its changes are used.
+    pub(super) fn place(&self) -> String {
+        let (width, height) = self.window.get_size();
+        let size = format!("{width}x{height}");
+        let moved = self.first.map_or((0, 0), |first| {
+            let now = self.window.get_position();
+            (now.0 - first.0, now.1 - first.1)
+        });
+        match (self.asked, self.first) {
+            (None, _) if moved == (0, 0) => size,
+            (asked, first) => {
+                let (x, y) = asked.or(first).unwrap_or_default();
+                format!("{size}+{}+{}", x + moved.0, y + moved.1)
+            }
+        }
     }
 
     /// The size of its picture; none while it is minimised.
@@ -118,6 +185,9 @@ impl Window {
         self.keep();
         self.window.update();
         self.collect();
+        if self.first.is_none() && self.opened.elapsed() > SETTLED {
+            self.first = Some(self.window.get_position());
+        }
     }
 
     /// Takes what the last look has found. minifb asks for the mouse's place before it looks for

@@ -7,15 +7,16 @@ use std::path::Path;
 use std::path::PathBuf;
 use std::process::Command;
 use std::process::Stdio;
+use std::time::SystemTime;
 
 use anyhow::Context;
 use anyhow::Result;
 use anyhow::bail;
 
-use show::text;
+use crate::text;
 
 /// The folder that holds the steps.
-pub(crate) struct Workspace {
+pub struct Workspace {
     root: PathBuf,
 }
 
@@ -25,7 +26,7 @@ impl Workspace {
     /// # Errors
     ///
     /// When neither lies in one: where they lie.
-    pub(crate) fn find() -> Result<Self> {
+    pub fn find() -> Result<Self> {
         let folder = env::current_dir().context(text!("there is no current folder"))?;
         let program = env::current_exe().unwrap_or_default();
         let mut above = folder.ancestors().chain(program.ancestors());
@@ -41,18 +42,18 @@ impl Workspace {
     }
 
     /// The steps' names, in order.
-    pub(crate) fn steps(&self) -> Vec<String> {
+    pub fn steps(&self) -> Vec<String> {
         steps_in(&self.root)
     }
 
-    /// Builds the program of the step `name`, and says where it then is.
-    pub(crate) fn build(&self, name: &str) -> Result<PathBuf> {
-        let cargo = env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo"));
-        let mut build = Command::new(cargo);
-        build.args(["build", "--quiet", "--message-format", "json-render-diagnostics"]);
-        build.args(["--package", name, "--bin", name]);
-        build.arg("--manifest-path").arg(self.root.join("Cargo.toml"));
-        let built = build.stderr(Stdio::inherit()).output();
+    /// Builds the program of the step `name`, and says where it then is. What cargo has to say goes to
+    /// standard error.
+    ///
+    /// # Errors
+    ///
+    /// When it does not compile, or there is no cargo.
+    pub fn build(&self, name: &str) -> Result<PathBuf> {
+        let built = self.cargo(name).stderr(Stdio::inherit()).output();
         let built = built.context(text!("cannot run cargo, which has to build the other step"))?;
         if !built.status.success() {
             bail!(text!(
@@ -60,10 +61,44 @@ impl Workspace {
                 name
             ));
         }
-        let messages = String::from_utf8_lossy(&built.stdout);
-        let program = messages.lines().rev().find_map(executable);
-        program.with_context(|| text!("cannot run {name}", name))
+        built_program(&built.stdout).with_context(|| text!("cannot run {name}", name))
     }
+
+    /// What has cargo build the program `name`.
+    pub(super) fn cargo(&self, name: &str) -> Command {
+        let cargo = env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo"));
+        let mut build = Command::new(cargo);
+        build.args(["build", "--quiet", "--message-format", "json-render-diagnostics"]);
+        build.args(["--package", name, "--bin", name]);
+        build.arg("--manifest-path").arg(self.root.join("Cargo.toml"));
+        build
+    }
+
+    /// When a file was last saved from which a program is built.
+    pub(super) fn saved(&self) -> Option<SystemTime> {
+        let folders = ["common", "lecture"].into_iter().map(str::to_owned).chain(self.steps());
+        folders.filter_map(|folder| newest(&self.root.join(folder))).max()
+    }
+}
+
+/// When the last of the sources in `folder` was saved.
+fn newest(folder: &Path) -> Option<SystemTime> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let times = entries.filter_map(|entry| {
+        let path = entry.path();
+        let is_source = path.extension().is_some_and(|end| end == "rs" || end == "md");
+        match entry.file_type().ok()?.is_dir() {
+            true => newest(&path),
+            false if is_source => entry.metadata().ok()?.modified().ok(),
+            false => None,
+        }
+    });
+    times.max()
+}
+
+/// Where the program is of which cargo says on its standard output that it has built it.
+pub(super) fn built_program(said: &[u8]) -> Option<PathBuf> {
+    String::from_utf8_lossy(said).lines().rev().find_map(executable)
 }
 
 /// The names of the steps whose packages lie in the workspace `root`, in order.
