@@ -8,6 +8,7 @@ mod keys;
 mod looks;
 mod session;
 mod setup;
+mod terminal;
 mod vectors;
 
 use std::fmt::Debug;

@@ -17,7 +17,7 @@ use crate::solutions::MILESTONES;
 use crate::solutions::RIGHT;
 use crate::solutions::WRONG;
 
-/// A copy of the steps, with programs of its own.
+/// A copy of the workspace, with programs of its own.
 struct Copy {
     root: PathBuf,
     /// The programs as they are before anything is changed.
@@ -32,22 +32,17 @@ fn copy() -> MutexGuard<'static, Copy> {
 
 impl Copy {
     fn new() -> Self {
-        let root_of_copy = empty_folder("exercises/steps");
-        let packages = source("Cargo.toml");
-        let steps: Vec<&str> = ["common"].into_iter().chain(STEPS).collect();
-        let lines = packages.lines().map(|line| match line.split_once("members = ") {
-            None => line.to_owned() + "\n",
-            Some((which, _)) => format!("{which}members = {steps:?}\n"),
-        });
-        let packages: String = lines.collect();
-        fs::write(root_of_copy.join("Cargo.toml"), packages).expect("the copy can be written");
-        fs::copy(root().join("Cargo.lock"), root_of_copy.join("Cargo.lock")).expect("a lock file");
-        for package in steps {
-            copy_folder(&root().join(package), &root_of_copy.join(package));
+        let (copied, programs) =
+            (empty_folder("exercises/all"), empty_folder("exercises/programs"));
+        for name in files(root()).into_iter().filter(|name| name != "target" && name != ".git") {
+            match root().join(&name) {
+                folder if folder.is_dir() => copy_folder(&folder, &copied.join(name)),
+                file => drop(fs::copy(file, copied.join(name)).expect("the copy can be written")),
+            }
         }
-        let programs = empty_folder("exercises/programs");
-        let copy = Self { root: root_of_copy, programs };
-        let built = copy.cargo().arg("build").output().expect("cargo runs");
+        let copy = Self { root: copied, programs };
+        let steps = STEPS.iter().flat_map(|step| ["-p", step]);
+        let built = copy.cargo().arg("build").args(steps).output().expect("cargo runs");
         assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
         for step in STEPS {
             let program = copy.target().join("debug").join(step);
@@ -298,4 +293,29 @@ fn a_step_checks_its_own_pixel_loop() {
     assert!(text.starts_with("done: the pixel loop of step02_sphere is right in all "), "{text}");
     assert_eq!(checked.status.code(), Some(0));
     assert!(files(folder.path()).is_empty(), "nothing differs, so nothing is written");
+}
+
+/// One line, a catalogue, the handouts and the way through the slides.
+#[test]
+#[ignore = "builds the lecture: minutes"]
+fn a_third_language_is_one_line_and_its_texts() {
+    let copy = copy();
+    let write = |path: &str, text: String| {
+        fs::write(copy.root.join(path), text).expect("the copy can be written");
+    };
+    let list = "common/show/src/language.rs";
+    let known = source(list);
+    assert_eq!(known.matches("\"pt-BR\" }").count(), 1, "the only list of them");
+    write(list, known.replace("\"pt-BR\" }", "\"pt-BR\" \"x-made-up\" }"));
+    let texts = "msgid \"viewing ray\"\nmsgstr \"yar gniweiv\"\n";
+    write("common/show/src/x-made-up.po", texts.to_owned());
+    write("lecture/tour/x-made-up.md", source("lecture/tour/en.md"));
+    for step in STEPS {
+        write(&format!("{step}/README.x-made-up.md"), source(format!("{step}/README.md")));
+    }
+    let mut lecture = copy.cargo();
+    lecture.args(words("run -p lecture -- --language x --pixel 9,9"));
+    let output = lecture.env("LC_ALL", "pt_BR").output().expect("cargo runs");
+    let said = [output.stdout, output.stderr].map(|it| String::from_utf8_lossy(&it).into_owned());
+    assert!(output.status.success() && said[0].contains("yar gniweiv"), "{said:?}");
 }
