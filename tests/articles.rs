@@ -21,11 +21,9 @@ use crate::scripts;
 /// What the page has in it as the steps' program.
 const WASM: &[u8] = b"no program";
 
-/// The whole page.
 pub(crate) static HTML: LazyLock<String> =
     LazyLock::new(|| lecture::html(WASM, &[]).expect("the page is written"));
 
-/// Its elements, made once.
 pub(crate) static ELEMENTS: LazyLock<Vec<Element<'_>>> = LazyLock::new(|| elements(&HTML));
 
 /// Each step's handouts: its number, the text, and the article.

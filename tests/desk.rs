@@ -22,7 +22,6 @@ fn program(index: usize) -> Program {
     Program { code, idea: "an idea", ..program }
 }
 
-/// All steps on a desk, at the step `index`.
 fn desk(index: usize) -> Desk {
     Desk::new((0..STEPS.len()).map(program).collect(), index)
 }

@@ -24,7 +24,6 @@ struct Copy {
     programs: PathBuf,
 }
 
-/// The one copy, for one test at a time.
 fn copy() -> MutexGuard<'static, Copy> {
     static COPY: LazyLock<Mutex<Copy>> = LazyLock::new(|| Mutex::new(Copy::new()));
     COPY.lock().unwrap_or_else(PoisonError::into_inner)

@@ -53,7 +53,6 @@ impl Asked {
         rgba.chunks_exact(4).flat_map(|pixel| &pixel[..3]).copied().collect()
     }
 
-    /// What is said of a control.
     fn setting(&mut self, name: &str, what: &str) -> Value {
         let state = self.state();
         let groups = state["groups"].as_array().expect("groups");

@@ -8,7 +8,6 @@ use tests::prelude::*;
 use crate::articles::ELEMENTS;
 use crate::protocol::Asked;
 
-/// The text of all scripts.
 static SCRIPTS: LazyLock<&'static str> =
     LazyLock::new(|| ELEMENTS.iter().rfind(|it| it.name() == "script").expect("a script").inner);
 
@@ -37,7 +36,6 @@ pub(crate) fn or() -> &'static str {
     quoted("dataset.symbol.split(").next().expect("there are such places")
 }
 
-/// The texts that the scripts say, in English.
 pub(crate) fn said() -> impl Iterator<Item = String> {
     quoted("text(").map(str::to_owned)
 }

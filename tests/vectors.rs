@@ -32,13 +32,6 @@ fn pixel(u: f32, v: f32, (width, height): (usize, usize)) -> Pixel {
     Pixel { col: at(u, width), row: at(1.0 - v, height), width, height }
 }
 
-/// What is drawn in [`AREA`] over nothing.
-fn over_black(sight: Sight<'_>, told: Option<&Explanation>, handles: &[Handle]) -> RgbImage {
-    let mut drawn = RgbImage::new(480, 270);
-    draw_vectors(&mut Canvas::new(&mut drawn), sight, told, handles, 0.0);
-    drawn
-}
-
 fn apart(a: (f32, f32), b: (f32, f32)) -> f32 {
     (a.0 - b.0).hypot(a.1 - b.1)
 }
@@ -223,19 +216,6 @@ fn all_is_drawn_within_the_area_from_everywhere_wherever_lights_and_objects_are(
     for vertices in [[Vec3::ONE; 3], [Vec3::ZERO, Vec3::X, Vec3::X]] {
         survives(&lecture::step03_triangle::Lesson { vertices }, &[]);
     }
-}
-
-#[test]
-fn a_ray_into_the_sky_is_seen_end_on_and_nothing_is_drawn_unasked() {
-    let (step, seen) = (step(6), pixel(0.5, 0.95, SIZE));
-    let camera = step.view().camera(ASPECT);
-    let explanation = step.explain(&*camera, seen);
-    assert_eq!(marks(&explanation, 1.0), []);
-    let sight = Sight { step: &*step, camera: &*camera, area: AREA };
-    let drawn = over_black(sight, Some(&explanation), &[]);
-    let ink = symbol_ink("d").map(|ink| ink.rgb);
-    assert_eq!(Some(drawn.get_pixel(seen.col as u32, seen.row as u32).0), ink);
-    assert!(over_black(sight, None, &[]).pixels().all(|pixel| pixel.0 == [0; 3]));
 }
 
 /// The pixel whose rays are looked at in each step, as (u, v).
