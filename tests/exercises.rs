@@ -11,11 +11,48 @@ use std::sync::PoisonError;
 use exercises::Milestone;
 use tests::prelude::*;
 
-use crate::solutions::BUT;
-use crate::solutions::Change;
-use crate::solutions::MILESTONES;
-use crate::solutions::RIGHT;
-use crate::solutions::WRONG;
+/// The text of a file that is replaced, and by what.
+type Change = (String, String, String);
+
+fn change(file: &str, from: &str, to: &str) -> Change {
+    (file.to_owned(), from.to_owned(), to.to_owned())
+}
+
+/// A solution of `solutions.txt`.
+struct Solution {
+    kind: String,
+    step: usize,
+    /// What is said of it, as it begins, and a second text.
+    words: [String; 2],
+    changes: Vec<Change>,
+}
+
+fn solutions() -> Vec<Solution> {
+    let text = source("tests/solutions.txt");
+    let blocks = text.split("\n\n").filter(|block| !block.starts_with('#'));
+    let solution = |block: &str| {
+        let mut lines = block.lines();
+        let (head, said) = lines.next().and_then(|it| it.split_once(':')).unwrap_or((block, ""));
+        let (kind, step) = head.lines().next().and_then(|it| it.split_once(' ')).expect(block);
+        let (first, second) = said.split_once("; ").unwrap_or((said, ""));
+        let mut changes: Vec<Change> = Vec::new();
+        for line in block.lines().skip(1) {
+            let text = line.get(2..).unwrap_or_default();
+            match (changes.last_mut(), line.chars().next()) {
+                (Some((_, from, _)), Some('-')) => from.extend([text, "\n"]),
+                (Some((.., to)), Some('+')) => to.extend([text, "\n"]),
+                _ => changes.push(change(line, "", "")),
+            }
+        }
+        for (_, from, to) in &mut changes {
+            from.pop();
+            to.pop();
+        }
+        let words = [first, second].map(|it| it.trim().to_owned());
+        Solution { kind: kind.to_owned(), step: step.parse().expect("a step"), words, changes }
+    };
+    blocks.map(solution).collect()
+}
 
 /// A copy of the workspace, with programs of its own.
 struct Copy {
@@ -100,97 +137,82 @@ impl Copy {
     }
 }
 
-/// What `--check` has to say of a solution, as it begins.
-#[derive(Default)]
-struct Expected {
-    milestone: &'static str,
-    mistake: &'static str,
-    /// A mistake on the way to the milestone.
-    but: &'static str,
-}
-
-impl Expected {
-    /// Whether `text` says all of it, and nothing else.
-    fn is_said(&self, text: &str) -> bool {
-        let reached: Vec<&str> =
-            text.lines().filter_map(|line| line.strip_prefix("So far so good: ")).collect();
-        let (but, named): (Vec<&str>, Vec<&str>) = text
-            .lines()
-            .filter(|line| line.contains(". Slide «"))
-            .map(|line| line.strip_prefix("Or: ").unwrap_or(line))
-            .partition(|line| line.starts_with("But: "));
-        let are = |said: &[&str], begin: &str| match begin {
-            "" => said.is_empty(),
-            _ => said.iter().any(|line| line.starts_with(begin)),
-        };
-        // A milestone may be taken for a mistake.
-        let named = are(&named, self.mistake) || !reached.is_empty() && self.mistake.is_empty();
-        let but: Vec<&str> = but.iter().filter_map(|line| line.strip_prefix("But: ")).collect();
-        reached.len() < 2 && are(&reached, self.milestone) && named && are(&but, self.but)
-    }
+/// Whether `text` says that a milestone is reached, that there is a mistake, and one on the way to it, as
+/// they begin, and nothing else.
+fn is_said(text: &str, [milestone, mistake, but]: [&str; 3]) -> bool {
+    let after = |begin| text.lines().filter_map(move |line| line.strip_prefix(begin));
+    let reached: Vec<&str> = after("So far so good: ").collect();
+    let buts: Vec<&str> = after("But: ").collect();
+    let named =
+        text.lines().filter(|line| line.contains(". Slide «") && !line.starts_with("But: "));
+    let named: Vec<&str> = named.map(|line| line.strip_prefix("Or: ").unwrap_or(line)).collect();
+    let are = |said: &[&str], begin: &str| match begin {
+        "" => said.is_empty(),
+        _ => said.iter().any(|line| line.starts_with(begin)),
+    };
+    // A milestone may be taken for a mistake.
+    let named = are(&named, mistake) || !reached.is_empty() && mistake.is_empty();
+    reached.len() < 2 && are(&reached, milestone) && named && are(&buts, but)
 }
 
 #[test]
 #[ignore = "builds all steps and some ninety solutions: minutes"]
 fn right_solutions_are_accepted_and_others_refused_with_what_is_known_of_them() {
     let copy = copy();
-    let mut wrong: Vec<String> = Vec::new();
-    let mut judge = |step, changes, code: i32, expected: Expected| {
-        let output = copy.check(step, changes);
+    let (all, mut wrong) = (solutions(), Vec::new());
+    let reached: Vec<&Solution> = all.iter().filter(|it| it.kind == "reaches").collect();
+    for Solution { kind, step, words: [first, second], changes } in &all {
+        let same = reached.iter().find(|it| it.step == *step && it.changes == *changes);
+        let milestone = same.map_or("", |it| &it.words[0]);
+        let expected = match &**kind {
+            "right" => ["", "", ""],
+            "reaches" => [first, "", ""],
+            "but" => [first, "", second],
+            _ => [milestone, first, ""],
+        };
+        let output = copy.check(*step, changes);
         let text = String::from_utf8_lossy(&output.stdout);
-        let fits = output.status.code() == Some(code) && expected.is_said(&text);
+        let code = i32::from(kind != "right");
         let judgement = format!(
-            "{} {step} {changes:?}: {:?}\n    {}\n{}",
-            if fits { "ok " } else { "NOT" },
+            "{step} {changes:?}: {:?}\n    {}\n{}",
             output.status.code(),
             text.lines().take(6).collect::<Vec<_>>().join("\n    "),
             String::from_utf8_lossy(&output.stderr),
         );
         say(&judgement);
-        if !fits {
+        if output.status.code() != Some(code) || !is_said(&text, expected) {
             wrong.push(judgement);
         }
-    };
-    for (step, changes) in RIGHT {
-        judge(*step, changes, 0, Expected::default());
     }
-    let broken = copy.check(6, &[("scene.rs", "let shadow_ray = ", "let shadow_ray: u8 = ")]);
+    let broken = change("scene.rs", "let shadow_ray = ", "let shadow_ray: u8 = ");
+    let broken = copy.check(6, &[broken]);
     let said = String::from_utf8_lossy(&broken.stderr);
     assert!(said.contains("error: step05_diffuse does not compile: "), "{said}");
     assert_eq!((broken.status.code(), &broken.stdout[..]), (Some(1), &[][..]));
-    for (step, changes, mistake) in WRONG {
-        let reached = MILESTONES.iter().find(|it| it.0 == *step && it.2 == *changes);
-        let milestone = reached.map_or("", |it| it.3);
-        judge(*step, changes, 1, Expected { milestone, mistake, but: "" });
-    }
-    for (step, _, changes, milestone) in MILESTONES {
-        judge(*step, changes, 1, Expected { milestone, ..Expected::default() });
-    }
-    let (step, changes, milestone, but) = BUT;
-    judge(step, changes, 1, Expected { milestone, mistake: "", but });
-    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    none(wrong);
 }
 
 #[test]
 fn milestones_are_those_that_handouts_name() {
-    for (step, words, ..) in MILESTONES {
-        let handout = lecture::PROGRAMS[step - 1].handouts[0];
+    let all = solutions();
+    let reached: Vec<&Solution> = all.iter().filter(|it| it.kind == "reaches").collect();
+    for Solution { step, words: [_, said], .. } in &reached {
+        let handout = PROGRAMS[step - 1].handouts[0];
         let (_, exercise) = handout.split_once("\n## Exercise\n").expect("an exercise");
-        let exercise: Vec<&str> = exercise.split_whitespace().collect();
-        let name = STEPS[step - 1];
-        assert!(exercise.join(" ").contains(words), "{name}: its handout does not say: {words}");
+        let is_named = words(exercise).join(" ").contains(said);
+        assert!(is_named, "the handout of step {step} does not say: {said}");
     }
     for milestone in Milestone::ALL {
-        let is_it = |it: &&(usize, &str, &[Change], &str)| {
-            STEPS[it.0 - 1] == milestone.step && milestone.done.starts_with(it.3)
+        let is_it = |it: &&Solution| {
+            STEPS[it.step - 1] == milestone.step && milestone.done.starts_with(&it.words[0])
         };
-        assert!(MILESTONES.iter().any(|it| is_it(&it)), "not tried: {milestone:?}");
+        assert!(reached.iter().any(|it| is_it(it)), "not tried: {milestone:?}");
     }
 }
 
 /// What each ray of a solution does before it is traced.
-const fn before_each_ray(line: &'static str) -> Change {
-    ("render.rs", "let color = trace(&ray);", line)
+fn before_each_ray(line: &str) -> Change {
+    change("render.rs", "let color = trace(&ray);", line)
 }
 
 #[test]
