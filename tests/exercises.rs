@@ -206,7 +206,7 @@ fn milestones_are_those_that_handouts_name() {
         let is_it = |it: &&Solution| {
             STEPS[it.step - 1] == milestone.step && milestone.done.starts_with(&it.words[0])
         };
-        assert!(reached.iter().any(|it| is_it(it)), "not tried: {milestone:?}");
+        assert!(reached.iter().any(is_it), "not tried: {milestone:?}");
     }
 }
 
