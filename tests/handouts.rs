@@ -6,6 +6,7 @@ mod handout_commands;
 mod handout_pixels;
 mod readme;
 mod style;
+mod tours;
 
 use std::collections::BTreeSet;
 use std::path::Path;
