@@ -20,6 +20,7 @@ use jpeg_encoder::ColorType;
 use jpeg_encoder::Encoder;
 use jpeg_encoder::SamplingFactor;
 use show::Language;
+use show::Tour;
 use show::text;
 
 use crate::PROGRAMS;
@@ -50,6 +51,7 @@ const SCRIPT: &str = concat!(
     include_str!("../page/desk.js"),
     include_str!("../page/controls.js"),
     include_str!("../page/figures.js"),
+    include_str!("../page/class.js"),
     include_str!("../page/hands.js"),
     include_str!("../page/keys.js"),
     include_str!("../page/main.js"),
@@ -65,7 +67,7 @@ fn root() -> &'static Path {
 /// # Errors
 ///
 /// When a handout, a diff or a picture cannot be read.
-pub fn html(program: &[u8]) -> Result<String> {
+pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
     let root = root();
     let mut packed = GzEncoder::new(Vec::new(), Compression::best());
     packed.write_all(program)?;
@@ -109,6 +111,7 @@ pub fn html(program: &[u8]) -> Result<String> {
             ("links", &links),
             ("articles", &articles),
             ("wasm", &wasm),
+            ("tours", &page::tours(tours)?.replace("</", "<\\/")),
         ],
     ))
 }

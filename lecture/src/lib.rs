@@ -31,6 +31,8 @@ use page::Page;
 use show::Code;
 use show::Size;
 #[cfg(not(target_family = "wasm"))]
+use show::Suite;
+#[cfg(not(target_family = "wasm"))]
 use show::translations;
 
 /// A step as a program.
@@ -93,6 +95,19 @@ macro_rules! handouts {
     };
 }
 
+#[cfg(not(target_family = "wasm"))]
+macro_rules! tours {
+    ($($tag:literal)*) => {
+        vec![
+            ("lecture/tour/en.md", include_str!("../tour/en.md")),
+            $((
+                concat!("lecture/tour/", $tag, ".md"),
+                include_str!(concat!("../tour/", $tag, ".md")),
+            )),*
+        ]
+    };
+}
+
 steps!(programs);
 
 /// The steps as programs of one window, with what their handouts say in short and their code.
@@ -100,17 +115,31 @@ steps!(programs);
 pub fn programs() -> Vec<show::Program> {
     let program = |step: Program| {
         // They are shown as long as the window.
-        let mut lessons = step.handouts.iter().map(|handout| {
+        let lessons = step.handouts.iter().map(|handout| {
             let Lesson { concept, slides, idea } = Lesson::read(handout);
-            (&*concept.leak(), &*slides.leak(), &*idea.leak())
+            (&*slides.leak(), [&*concept.leak(), &*idea.leak(), *handout])
         });
-        let (concept, slides, idea) = lessons.next().unwrap_or_default();
-        let others = lessons.map(|(concept, _, idea)| [concept, idea]);
-        let texts = std::iter::once([concept, idea]).chain(others).collect();
+        let (slides, texts): (Vec<_>, Vec<_>) = lessons.unzip();
+        let slides = slides.first().copied().unwrap_or_default();
+        let [concept, idea, handout] = texts.first().copied().unwrap_or_default();
         let program = show::Program::new(step.name, concept, Size::DEFAULT, make(step));
-        show::Program { slides, code: code(step), idea, texts, ..program }
+        show::Program { slides, code: code(step), idea, handout, texts, ..program }
     };
     PROGRAMS.map(program).to_vec()
+}
+
+/// All that the lecture's command line starts.
+#[cfg(not(target_family = "wasm"))]
+pub fn suite() -> Suite {
+    Suite {
+        name: env!("CARGO_PKG_NAME"),
+        concept: env!("CARGO_PKG_DESCRIPTION"),
+        programs: programs(),
+        figures: FIGURES.map(|(_, figure)| figure()).to_vec(),
+        tours: translations!(tours),
+        page: Some(|tours| html(&build()?, tours)),
+        exercises: None,
+    }
 }
 
 /// What a browser is answered.

@@ -10,6 +10,7 @@ use crate::Area;
 use crate::CodeFont;
 use crate::Font;
 use crate::Ink;
+use crate::MathFont;
 use crate::font::Mask;
 use crate::font::Part;
 use crate::shape::NOTHING;
@@ -231,7 +232,19 @@ impl<'a> Canvas<'a> {
         }
     }
 
-    /// Lays a letter's mask over the picture.
+    /// Draws a letter of an equation with its pen at `pen`, on the baseline: see [`MathFont`].
+    pub fn sign(&mut self, pen: (f32, f32), size: f32, ink: Ink, letter: char) {
+        let draw = |left, top, mask: &Mask| self.lay(left, top, mask, ink);
+        MathFont::mask(pen, size, letter, Part::Letter, draw);
+    }
+
+    /// Draws the edge around [`sign`](Self::sign) that a [`label`](Self::label) has.
+    pub fn sign_edge(&mut self, pen: (f32, f32), size: f32, ink: Ink, letter: char) {
+        let draw = |left, top, mask: &Mask| self.lay(left, top, mask, ink.opposite());
+        MathFont::mask(pen, size, letter, Part::Halo, draw);
+    }
+
+    /// Lays ink where a mask covers pixels, its upper left corner at `left` and `top`.
     fn lay(&mut self, left: i64, top: i64, mask: &Mask, ink: Ink) {
         let from = (self.cols.start as i64 - left).clamp(0, mask.width as i64) as usize;
         let to = (self.cols.end as i64 - left).clamp(0, mask.width as i64) as usize;

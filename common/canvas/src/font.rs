@@ -32,6 +32,9 @@ pub struct CodeFont;
 
 const IOSEVKA: &[u8] = include_bytes!("../font/Iosevka.ttf");
 
+/// That of equations.
+const STIX: &[u8] = include_bytes!("../font/StixTwoMath.ttf");
+
 /// How a letter covers the pixels around its origin, 0 to 255: rows from the top.
 pub(crate) struct Mask {
     pub(crate) left: i64,
@@ -66,6 +69,7 @@ struct Glyphs {
 thread_local! {
     static GLYPHS: RefCell<Glyphs> = RefCell::new(Glyphs::new(DEJAVU));
     static CODE_GLYPHS: RefCell<Glyphs> = RefCell::new(Glyphs::new(IOSEVKA));
+    static SIGNS: RefCell<Glyphs> = RefCell::new(Glyphs::new(STIX));
 }
 
 /// A letter starts at a whole number of pixels and so many parts of one.
@@ -335,5 +339,60 @@ impl Glyphs {
                 draw(phases.div_euclid(PHASES) + mask.left, baseline + mask.top, mask);
             }
         }
+    }
+}
+
+/// The font of equations: a part of STIX Two Math, whose italic and bold letters are those that Unicode
+/// has for mathematics. What it lacks is taken from [`Font`].
+#[derive(Clone, Copy, Debug)]
+pub struct MathFont;
+
+impl MathFont {
+    fn with<T>(letter: char, ask: impl FnOnce(&mut Glyphs) -> T) -> T {
+        let font = if Self::has(letter) { &SIGNS } else { &GLYPHS };
+        font.with_borrow_mut(ask)
+    }
+
+    /// Whether it has this letter itself.
+    pub fn has(letter: char) -> bool {
+        SIGNS.with_borrow_mut(|glyphs| glyphs.letter(letter).id != GlyphId(0))
+    }
+
+    /// How far the pen goes on after a letter, in pixels.
+    pub fn advance(size: f32, letter: char) -> f32 {
+        Self::with(letter, |glyphs| {
+            glyphs.letter(letter).advance as f32 * drawn(size) / glyphs.units_per_em
+        })
+    }
+
+    /// How far a letter reaches above its baseline, and how far below it, in pixels; what is negative
+    /// stays on the other side.
+    pub fn reach(size: f32, letter: char) -> (f32, f32) {
+        Self::with(letter, |glyphs| {
+            let id = glyphs.letter(letter).id;
+            let scale = drawn(size) / glyphs.units_per_em;
+            let outline = glyphs.font.outline(id);
+            outline.map_or((0.0, 0.0), |outline| {
+                let (above, below) = (outline.bounds.min.y, outline.bounds.max.y);
+                (above.max(below) * scale, -above.min(below) * scale)
+            })
+        })
+    }
+
+    /// Hands out the mask of a letter with its pen at `pen`, on the baseline, and the column and row of
+    /// the mask's upper left corner.
+    pub(crate) fn mask(
+        (x, y): (f32, f32), size: f32, letter: char, part: Part, draw: impl FnOnce(i64, i64, &Mask),
+    ) {
+        let size = drawn(size);
+        if size == 0.0 || !x.is_finite() || !y.is_finite() {
+            return;
+        }
+        Self::with(letter, |glyphs| {
+            let phases = (f64::from(x) * PHASES as f64).round() as i64;
+            let id = glyphs.letter(letter).id;
+            let mask = glyphs.mask(id, size, phases.rem_euclid(PHASES), part);
+            draw(phases.div_euclid(PHASES) + mask.left, y.round() as i64 + mask.top, mask);
+        });
     }
 }

@@ -17,6 +17,7 @@ pub use area::Area;
 pub use canvas::Canvas;
 pub use font::CodeFont;
 pub use font::Font;
+pub use font::MathFont;
 pub use ink::Ink;
 pub use pixels::count_off;
 pub use pixels::encode_means;

@@ -15,6 +15,7 @@ mod desktop;
 mod figure;
 mod frame;
 mod language;
+mod math;
 mod outside;
 mod over;
 mod pen;
@@ -53,6 +54,7 @@ pub use compare::side_by_side;
 pub use control::Control;
 pub use control::Refused;
 pub use desk::Act;
+pub use desk::Asked;
 pub use desk::Compare;
 pub use desk::Desk;
 pub use desk::Does;
@@ -63,6 +65,8 @@ pub use desk::Key;
 pub use desk::Program;
 pub use desk::Reading;
 pub use desk::Refusal;
+pub use desk::Stop;
+pub use desk::Tour;
 pub use desk::Wanted;
 pub use desk::WhatIf;
 pub use desk::does;
@@ -74,11 +78,17 @@ pub use desktop::Exercises;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::Finished;
 #[cfg(not(target_family = "wasm"))]
+pub use desktop::LONGEST;
+#[cfg(not(target_family = "wasm"))]
+pub use desktop::Mistake;
+#[cfg(not(target_family = "wasm"))]
 pub use desktop::Suite;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::Verdict;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::Workspace;
+#[cfg(not(target_family = "wasm"))]
+pub use desktop::picture_shown;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::render_parallel;
 #[cfg(not(target_family = "wasm"))]
@@ -97,9 +107,22 @@ pub use frame::check_loop;
 pub use language::Language;
 pub use language::filled;
 pub use language::translated;
+pub use math::Boxed;
+pub use math::Law;
+pub use math::Letters;
+pub use math::Math;
+pub use math::Symbols;
+pub use math::latex;
+pub use math::laws;
+pub use math::mathml;
+pub use math::plain;
+pub use math::symbols;
+pub use math::typeset;
 pub use outside::Outside;
 pub use over::compared;
+pub use over::draw_below;
 pub use over::draw_marks;
+pub use over::height_below;
 pub use over::is_marked;
 pub use over::point_at;
 pub use quantity::Curve;
@@ -131,6 +154,7 @@ pub use vectors::draw_vectors;
 pub use vectors::handle_at;
 pub use vectors::marks;
 pub use vectors::symbol_ink;
+pub use written::rounded;
 pub(crate) use written::short;
 pub use written::texts;
 pub use written::written;

@@ -14,6 +14,8 @@ const LEAST_TEXT: f32 = 5.0;
 /// How wide the column beside the picture is, in ems: as wide as three numbers of an explanation.
 const COLUMN: f32 = 18.0;
 
+/// How high a stop's text is with what stands over it, in ems: three lines.
+const STOP: f32 = 5.6;
 /// How much of the width code takes.
 const CODE_COLUMN: f32 = 0.58;
 
@@ -30,6 +32,8 @@ pub(super) struct Layout {
     pub(super) curve: Option<Area>,
     /// What there is beside the picture; none when it is hidden.
     pub(super) beside: Option<Beside>,
+    /// The stop's text, below all of it, if there is one.
+    pub(super) stop: Option<Area>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,6 +65,8 @@ pub(super) struct Wishes {
     pub(super) legend: bool,
     /// Whether it is seen as a curve too.
     pub(super) curve: bool,
+    /// Whether there is a stop's text.
+    pub(super) stop: bool,
 }
 
 /// The largest area of this aspect in `outer`, at least a pixel wide and high: at its top, in the
@@ -86,11 +92,14 @@ impl Layout {
     pub(super) const CODE: f32 = 0.72;
 
     pub(super) fn new(wishes: &Wishes) -> Self {
-        let Wishes { size, aspect, text, hidden, reading, code, legend, curve } = *wishes;
+        let Wishes { size, aspect, text, hidden, reading, code, legend, curve, stop } = *wishes;
         let (width, height) = (size.width() as f32, size.height() as f32);
         let window = Area::new(0.0, 0.0, width, height);
         // In a window that is higher than wide the width decides.
         let em = TEXT * height.min(0.75 * width) * text;
+        let stop = (stop && em >= LEAST_TEXT).then(|| (STOP * em).min(0.4 * height).round());
+        let (window, lower) = split(window, height - stop.unwrap_or_default());
+        let (height, stop) = (window.height, stop.map(|_| lower));
         let high = |is_shown: bool, ems: f32, most: f32| match is_shown {
             true => (ems * em).min(most * height),
             false => 0.0,
@@ -103,7 +112,7 @@ impl Layout {
             let (upper, lower) = split(under, legend);
             let upper = Area { left: 0.0, width: room, ..upper };
             let shown = |area: Area| (area.height > 0.0).then_some(area);
-            Self { em, picture, legend: shown(upper), curve: shown(lower), beside }
+            Self { em, picture, legend: shown(upper), curve: shown(lower), beside, stop }
         };
         if hidden || em < LEAST_TEXT {
             let picture = fit(Area { height: height - under, ..window }, aspect);

@@ -1,0 +1,156 @@
+//! A step's own law, with the numbers of a pixel below its symbols.
+
+use super::Boxed;
+use super::Letters;
+use super::Math;
+use super::boxes::Style;
+use super::latex;
+use super::plain;
+use super::symbols;
+use crate::rounded;
+use crate::translated;
+use common::Explanation;
+use common::Line;
+use common::Value;
+
+/// The equations of a step, with what its pinned pixel tells of their symbols.
+pub struct Law {
+    equations: Vec<Math>,
+    told: Vec<(String, Vec<String>)>,
+    /// Whose numbers they are, where the same is told of several lights.
+    light: Option<&'static str>,
+}
+
+/// What an equation calls by another name than its step: the closest hit is where rays end then, and of
+/// two roots the first is the one that is meant.
+const CALLED: [(&str, &str); 2] = [("𝑡^∗", "𝑡_max"), ("𝑡", "𝑡_1")];
+
+/// How small an equation gets before it is cut, in parts of its size.
+const LEAST: f32 = 0.62;
+
+/// The equations that are a step's law: what stands between the first $$ of its handout.
+pub fn laws(handout: &str) -> Vec<&str> {
+    let block = handout.split("$$").nth(1).into_iter();
+    block.flat_map(|block| block.split(r"\qquad")).map(str::trim).collect()
+}
+
+/// How the symbol of a line is meant.
+fn kind(line: &Line) -> Letters {
+    if matches!(line.value, Value::Vector(_)) { Letters::Vector } else { Letters::Scalar }
+}
+
+/// What a line tells, as a slide has it.
+pub fn typeset(line: &Line) -> Math {
+    plain(translated(line.equation), kind(line))
+}
+
+impl Law {
+    /// The law in `latex`, with what `explanation` tells; of several lights what is told of `light`.
+    pub fn new(equations: &[&str], explanation: &Explanation, light: Option<&str>) -> Self {
+        let all = symbols(explanation);
+        let (once, each) = all.split_at(1.min(all.len()));
+        let chosen = each.iter().find(|its| Some(its.of) == light).or(each.first());
+        let mut told: Vec<(String, Vec<String>)> = Vec::new();
+        for line in once.iter().chain(chosen).flat_map(|its| &its.lines) {
+            let key = plain(line.symbol(), kind(line)).key();
+            if !matches!(line.value, Value::Word(_)) {
+                told.retain(|(other, _)| *other != key);
+                told.push((key, rounded(&line.value)));
+            }
+        }
+        let equations = equations.iter().map(|text| latex(text)).collect();
+        Self { equations, told, light: chosen.map(|its| its.of) }
+    }
+
+    fn numbers(&self, key: &str) -> Option<Vec<String>> {
+        // Where a ray ends changes with each hit.
+        if key == "𝑡_max" {
+            return None;
+        }
+        let find = |key: &str| self.told.iter().find(|(told, _)| told == key);
+        let called =
+            || CALLED.iter().find(|(name, _)| *name == key).and_then(|(_, told)| find(told));
+        find(key).or_else(called).map(|(_, numbers)| numbers.clone())
+    }
+
+    /// What has numbers of its own in it.
+    pub fn told(&self) -> impl Iterator<Item = &str> {
+        self.told.iter().map(|(key, _)| key.as_str())
+    }
+
+    /// Sets its equations below each other, within `width` and `height`: as large as `size`, broken before
+    /// each + where one is too wide, and smaller where even that is.
+    pub fn set(&self, size: f32, width: f32, height: f32) -> Boxed {
+        let numbers = |key: &str| self.numbers(key);
+        let set = |size| {
+            let style = Style { size, large: true, within: false, numbers: Some(&numbers) };
+            self.stacked(style, width)
+        };
+        // What is smaller may break at other places, and then fit.
+        let mut now = size;
+        let mut fits = set(now);
+        for _ in 0..4 {
+            let part = (width / fits.width).min(height / fits.height());
+            if part < 1.0 && now > LEAST * size {
+                now = (0.99 * part * now).max(LEAST * size);
+                fits = set(now);
+            }
+        }
+        fits
+    }
+
+    fn stacked(&self, style: Style<'_>, width: f32) -> Boxed {
+        let (mut set, gap) = (Boxed::default(), 0.35 * style.size);
+        let (mut left, mut above, mut baseline) = (0.0, 0.0, 0.0);
+        for equation in &self.equations {
+            let whole = style.set(equation);
+            let lines = if whole.width <= width { vec![whole] } else { broken(style, equation) };
+            for (place, line) in lines.into_iter().enumerate() {
+                let beside = left + 1.2 * style.size;
+                // What fits stands beside the one before.
+                if place == 0 && left > 0.0 && beside + line.width <= width && line.above <= above {
+                    left = beside + line.width;
+                    set.put(line, (beside, baseline));
+                    continue;
+                }
+                let indent = if place == 0 { 0.0 } else { style.size };
+                let drop = if set.width == 0.0 { line.above } else { set.hang + gap + line.above };
+                (above, baseline, left) = (line.above, drop, indent + line.width);
+                set.put(line, (indent, drop));
+            }
+        }
+        if let Some(light) = self.light {
+            let words = plain(&format!("i: {}", translated(light)), Letters::Scalar);
+            let line = Boxed::inline(&words, 0.7 * style.size);
+            let drop = set.hang + gap + line.above;
+            set.put(line, (0.0, drop));
+        }
+        set
+    }
+}
+
+/// An equation in lines, a new one from each + on that is not within round brackets.
+fn broken(style: Style<'_>, equation: &Math) -> Vec<Boxed> {
+    let mut flat = Vec::new();
+    for part in equation.parts() {
+        match part {
+            Math::Fence('[', inside, ']') => {
+                flat.push(Math::Sign('['));
+                flat.extend(inside.parts().iter().cloned());
+                flat.push(Math::Sign(']'));
+            }
+            part => flat.push(part.clone()),
+        }
+    }
+    let mut lines: Vec<Vec<Math>> = vec![Vec::new()];
+    for part in flat {
+        let breaks = part == Math::Sign('+') && lines.last().is_some_and(|line| !line.is_empty());
+        if breaks {
+            lines.push(Vec::new());
+        }
+        if let Some(line) = lines.last_mut() {
+            line.push(part);
+        }
+    }
+    lines.iter().map(|line| style.row(line)).collect()
+}

@@ -1,0 +1,91 @@
+//! An equation as MathML, for browsers.
+
+use super::Math;
+
+/// `math` in MathML; `place` says what stands under what has that [`key`](Math::key), if anything does.
+pub fn mathml(math: &Math, display: bool, place: &mut dyn FnMut(&str) -> Option<String>) -> String {
+    let display = if display { " display=\"block\"" } else { "" };
+    format!("<math{display}>{}</math>", part(math, place))
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+fn row(parts: &[Math], place: &mut dyn FnMut(&str) -> Option<String>) -> String {
+    let mut text = String::new();
+    let mut at = 0;
+    while at < parts.len() {
+        let longest = 3.min(parts.len() - at);
+        let told = (1..=longest).rev().find_map(|count| {
+            let spaced =
+                [at, at + count - 1].iter().any(|end| matches!(parts[*end], Math::Space(_)));
+            let key: String = parts[at..at + count].iter().map(Math::key).collect();
+            if spaced || key.is_empty() { None } else { place(&key).map(|under| (count, under)) }
+        });
+        let count = told.as_ref().map_or(1, |(count, _)| *count);
+        let inner: String = match told {
+            Some(_) => parts[at..at + count].iter().map(|it| part(it, &mut |_| None)).collect(),
+            None => part(&parts[at], place),
+        };
+        text += &match told {
+            Some((_, under)) => format!("<munder><mrow>{inner}</mrow>{under}</munder>"),
+            None => inner,
+        };
+        at += count;
+    }
+    text
+}
+
+fn part(math: &Math, place: &mut dyn FnMut(&str) -> Option<String>) -> String {
+    match math {
+        Math::Row(parts) => format!("<mrow>{}</mrow>", row(parts, place)),
+        Math::Symbol(letter) => format!("<mi mathvariant=\"normal\">{letter}</mi>"),
+        Math::Word(word) if word.chars().all(|digit| digit.is_ascii_digit() || digit == '.') => {
+            format!("<mn>{word}</mn>")
+        }
+        Math::Word(word) => format!("<mi mathvariant=\"normal\">{}</mi>", escaped(word)),
+        Math::Sign(sign) => format!("<mo>{}</mo>", escaped(&sign.to_string())),
+        Math::Space(ems) => format!("<mspace width=\"{ems}em\"></mspace>"),
+        Math::Fraction(above, below) => {
+            format!("<mfrac>{}{}</mfrac>", one(above, place), one(below, place))
+        }
+        Math::Root(inside) => format!("<msqrt>{}</msqrt>", part(inside, place)),
+        Math::Scripts(base, lower, upper) => {
+            let script = |script: &Option<Box<Math>>| {
+                script.as_ref().map(|script| one(script, &mut |_| None)).unwrap_or_default()
+            };
+            let (below, above) = (script(lower), script(upper));
+            let name = match (&**base, lower, upper) {
+                (Math::Sign('∑'), Some(_), None) => "munder",
+                (_, Some(_), None) => "msub",
+                (_, None, _) => "msup",
+                (_, Some(_), Some(_)) => "msubsup",
+            };
+            format!("<{name}>{}{below}{above}</{name}>", one(base, &mut |_| None))
+        }
+        Math::Fence(open, inside, close) => {
+            let bar = |sign: &char, form: &str| {
+                format!("<mo form=\"{form}\" fence=\"true\" stretchy=\"true\">{sign}</mo>")
+            };
+            let (open, close) = (bar(open, "prefix"), bar(close, "postfix"));
+            format!("<mrow>{open}{}{close}</mrow>", row(inside.parts(), place))
+        }
+        Math::Matrix(rows) => {
+            let mut table = String::new();
+            for cells in rows {
+                table += "<mtr>";
+                for cell in cells {
+                    table += &format!("<mtd>{}</mtd>", row(cell.parts(), place));
+                }
+                table += "</mtr>";
+            }
+            format!("<mrow><mo>[</mo><mtable>{table}</mtable><mo>]</mo></mrow>")
+        }
+    }
+}
+
+/// As one element.
+fn one(math: &Math, place: &mut dyn FnMut(&str) -> Option<String>) -> String {
+    part(&Math::Row(math.parts().to_vec()), place)
+}
