@@ -10,7 +10,7 @@ use crate::CodeKind;
 use crate::CodeLine;
 use crate::CodePart;
 use crate::Desk;
-use crate::short;
+use crate::rounded;
 use crate::translated;
 
 /// In which column the numbers begin, if the code leaves that free.
@@ -76,7 +76,11 @@ pub(super) fn code(desk: &Desk, coloured: bool) -> String {
 }
 
 fn note(told: &common::Line, paint: &impl Fn(&str, &str) -> String) -> String {
-    format!("{} {}", paint(FAINT, translated(told.equation)), paint(BOLD, &short(&told.value)))
+    format!(
+        "{} {}",
+        paint(FAINT, translated(told.equation)),
+        paint(BOLD, &rounded(&told.value).join(" "))
+    )
 }
 
 fn highlighted(line: &CodeLine, paint: &impl Fn(&str, &str) -> String) -> String {
