@@ -107,6 +107,10 @@ pub(super) fn command(suite: &Suite) -> Command {
             .arg(option("open", "ADDRESS"))
             .arg(option("window", "WxH+X+Y").value_parser(window));
     }
+    if suite.programs.iter().any(|program| !program.code.is_empty()) {
+        let code = Arg::new("code").long("code").action(ArgAction::SetTrue);
+        command = command.arg(code.requires("pixel"));
+    }
     if suite.page.is_some() {
         let page = file("page").value_parser(PathBufValueParser::new());
         let others = [

@@ -85,7 +85,9 @@ impl Told<'_> {
                         (Some(shown), Some(name)) if shown == name => Some(ACCENT),
                         _ => None,
                     };
-                    let altered = name.as_ref().is_some_and(|name| is_altered(self.what_ifs, name));
+                    let altered = name.as_ref().is_some_and(|name| {
+                        self.what_ifs.iter().any(|what_if| what_if.alters(name))
+                    });
                     let equation = typeset(line);
                     rows.push(Row::Line { equation, name, ink, values, new, altered });
                 }
@@ -111,11 +113,4 @@ impl Told<'_> {
             }
         }
     }
-}
-
-/// Whether the line is answered otherwise.
-pub(super) fn is_altered(what_ifs: &[WhatIf], line: &LineName) -> bool {
-    what_ifs.iter().any(|WhatIf { answer, .. }| {
-        answer.line.equation == line.equation && ["", &line.of].contains(&answer.line.of.as_str())
-    })
 }

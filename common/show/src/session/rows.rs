@@ -4,7 +4,6 @@ use super::Session;
 use super::code::CodeRow;
 use super::code::Note;
 use super::explained::Told;
-use super::explained::is_altered;
 use super::layout::Layout;
 use super::layout::split;
 use super::panel::Panel;
@@ -23,10 +22,10 @@ use crate::Reading;
 use crate::code::file_name;
 use crate::desk::table;
 use crate::latex;
-use crate::short;
-use crate::symbol_ink;
+use crate::rounded;
 use crate::text;
 use crate::translated;
+use crate::typeset;
 use common::Line;
 use common::LineName;
 
@@ -158,10 +157,9 @@ impl Session {
 
     fn code_row(&self, line: CodeLine, file: Option<&'static str>) -> Row {
         let note = |(line, name): &(Line, Option<LineName>)| Note {
-            equation: translated(line.equation),
-            ink: symbol_ink(line.symbol()).unwrap_or(FAINT),
-            value: short(&line.value),
-            altered: name.as_ref().is_some_and(|name| is_altered(self.desk.what_ifs(), name)),
+            equation: typeset(line),
+            value: rounded(&line.value).join("  "),
+            altered: name.as_ref().is_some_and(|name| self.desk.is_altered(name)),
             name: name.clone(),
         };
         let notes = line.told.iter().map(note).collect();
