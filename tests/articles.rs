@@ -26,7 +26,7 @@ const WASM: &[u8] = b"no program";
 
 /// The whole page.
 pub(crate) static HTML: LazyLock<String> =
-    LazyLock::new(|| lecture::html(WASM).expect("the page is written"));
+    LazyLock::new(|| lecture::html(WASM, &[]).expect("the page is written"));
 
 /// Its elements, made once.
 pub(crate) static ELEMENTS: LazyLock<Vec<Element<'_>>> = LazyLock::new(|| elements(&HTML));
