@@ -1,7 +1,6 @@
 //! What hands do on the page, in a browser.
 
 use serde_json::Value;
-use serde_json::json;
 use tests::prelude::*;
 
 use crate::browser::Browser;

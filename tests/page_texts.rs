@@ -1,7 +1,6 @@
 //! What the page says in a browser, in which language, and to whom.
 
 use serde_json::Value;
-use serde_json::json;
 use tests::prelude::*;
 
 use crate::browser::Browser;

@@ -101,11 +101,11 @@ fn arrows_select_every_control_and_change_it() {
     assert_eq!(session.selected(), Some("radius"));
     // What is selected stays so where the other step has it.
     let mut session = lecture(5);
-    keys(&mut session, &[Key::Down, Key::PageDown]);
+    keys(&mut session, &[Key::Down, Key::Char('7')]);
     assert_eq!(session.selected(), Some("red.k_s"), "folded away, so the first one");
-    keys(&mut session, &[Key::PageUp, Key::Char('4')]);
+    keys(&mut session, &[Key::Char('6'), Key::Char('4')]);
     assert_eq!(session.selected(), Some("red.center.x"), "step 04 lacks the other");
-    keys(&mut session, &[Key::Down, Key::PageDown]);
+    keys(&mut session, &[Key::Down, Key::Char('5')]);
     assert_eq!(session.selected(), Some("red.center.y"));
 }
 
@@ -351,7 +351,7 @@ fn what_a_step_tells_anew_is_marked_and_seen_at_once() {
         assert_eq!(marks(&mut session) > 100, index > 0, "{what}");
         assert_eq!(marks(&mut pinned(single(index))), 0, "{what}");
         // And when the pixel was pinned before.
-        key(&mut session, Key::PageDown);
+        typed(&mut session, &(index + 2).min(STEPS.len()).to_string());
         assert!(marks(&mut session) > 100, "{what}, the step after it");
     }
 }

@@ -40,14 +40,16 @@ pub use symbol::SYMBOLS;
 
 /// What a step's `main` runs: the command line, and what it asks for.
 ///
-/// `name` is the step's package, `concept` the line that says what it teaches, `files` its code. The exit
-/// status is 0 when all was done, 1 when it failed or a comparison found a difference, 2 for wrong usage.
+/// `name` is the step's package, `concept` the line that says what it teaches, `files` its code, `handout`
+/// what is read about it. The exit status is 0 when all was done, 1 when it failed or a comparison found a
+/// difference, 2 for wrong usage.
 pub fn main<S: Step + Default + 'static>(
-    name: &'static str, concept: &'static str, files: Files,
+    name: &'static str, concept: &'static str, files: Files, handout: &'static str,
 ) -> ExitCode {
     let make = Rc::new(|| Box::new(Lesson(Box::new(S::default()))) as Box<dyn Shown>);
     let code = Rc::new(Code::new(files));
-    let programs = vec![Program { code, ..Program::new(name, concept, Size::DEFAULT, make) }];
+    let program = Program::new(name, concept, Size::DEFAULT, make);
+    let programs = vec![Program { code, handout, ..program }];
     let (figures, tours, exercises) = (Vec::new(), Vec::new(), Some(&Known as &dyn Exercises));
     Suite { name, concept, programs, figures, tours, page: None, exercises }.run(env::args_os())
 }

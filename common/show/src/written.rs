@@ -16,8 +16,8 @@ use common::Value;
 /// goes on computing with what is shown gets the next line.
 const DIGITS: (usize, usize) = (7, 6);
 
-/// The digits of a number beside its line of code.
-const SHORT: usize = 4;
+/// The digits that are read at a glance, on a screen.
+const GLANCE: usize = 4;
 
 /// Below and from here on numbers are written with a power of ten.
 const PLAIN: std::ops::Range<f32> = 1e-3..1e6;
@@ -68,16 +68,18 @@ pub fn texts(value: &Value) -> Vec<String> {
 
 /// A value in few digits, as it stands beside its line of code.
 pub(crate) fn short(value: &Value) -> String {
-    let number = |number: f32, largest: f32| decimal(number, largest, SHORT).replace('-', "−");
-    match value {
-        Value::Number(alone) => number(*alone, *alone),
-        Value::Vector(v) => {
-            let numbers = v.to_array();
-            let largest = numbers.iter().fold(0.0_f32, |most, number| most.max(number.abs()));
-            numbers.map(|part| number(part, largest)).join("  ")
-        }
-        Value::Word(word) => translated(word).to_owned(),
-    }
+    rounded(value).join("  ")
+}
+
+/// A value's numbers with four digits, as they stand on a screen, or its word.
+pub fn rounded(value: &Value) -> Vec<String> {
+    let (numbers, largest) = match *value {
+        Value::Number(number) => (vec![number], number),
+        Value::Vector(v) => (v.to_array().to_vec(), v.abs().max_element()),
+        Value::Word(word) => return vec![translated(word).to_owned()],
+    };
+    let text = |number: f32| decimal(number, largest, GLANCE).replace('-', "−");
+    numbers.into_iter().map(text).map(|text| text.replace("inf", "∞")).collect()
 }
 
 /// A value in columns.

@@ -144,9 +144,7 @@ impl Code {
         };
         let mut walked = sources.walk(camera(sought.projection), &runs);
         // What tells is shown in any case, also where nobody is found who calls it.
-        let tells = |id: &Id| {
-            sources.item(*id).is_function && sources.listens(*id) && runs(*id)
-        };
+        let tells = |id: &Id| sources.item(*id).is_function && sources.listens(*id) && runs(*id);
         let others: Vec<Id> =
             sources.all().filter(|id| tells(id) && !walked.contains(id)).collect();
         walked.extend(others.into_iter().filter(|_| ran.is_some()));

@@ -52,7 +52,7 @@ fn part(math: &Math, place: &mut dyn FnMut(&str) -> Option<String>) -> String {
         }
         Math::Root(inside) => format!("<msqrt>{}</msqrt>", part(inside, place)),
         Math::Scripts(base, lower, upper) => {
-            let mut script = |script: &Option<Box<Math>>| {
+            let script = |script: &Option<Box<Math>>| {
                 script.as_ref().map(|script| one(script, &mut |_| None)).unwrap_or_default()
             };
             let (below, above) = (script(lower), script(upper));

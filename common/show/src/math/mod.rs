@@ -11,11 +11,11 @@ mod read;
 mod symbols;
 
 pub use boxes::Boxed;
-pub(crate) use boxes::Numbers;
 pub use law::Law;
 pub use law::laws;
+pub use law::typeset;
 pub use markup::mathml;
-pub use read::Kind;
+pub use read::Letters;
 pub use read::latex;
 pub use read::plain;
 pub use symbols::Symbols;
@@ -50,7 +50,8 @@ impl Math {
     /// By what two writings of the same are known: without spaces, and without the index that counts lights.
     pub fn key(&self) -> String {
         let all = |parts: &[Self]| parts.iter().map(Self::key).collect::<String>();
-        let counts = |lower: &Self| *lower == Self::Symbol('𝑖');
+        let counts =
+            |base: &Self, lower: &Self| *lower == Self::Symbol('𝑖') && *base != Self::Symbol('𝑡');
         match self {
             Self::Row(parts) => all(parts),
             Self::Symbol(letter) | Self::Sign(letter) => letter.to_string(),
@@ -59,7 +60,7 @@ impl Math {
             Self::Fraction(above, below) => format!("{}/{}", above.key(), below.key()),
             Self::Root(inside) => format!("√{}", inside.key()),
             Self::Scripts(base, lower, upper) => {
-                let lower = lower.as_ref().filter(|lower| !counts(lower));
+                let lower = lower.as_ref().filter(|lower| !counts(base, lower));
                 let lower = lower.map_or(String::new(), |lower| format!("_{}", lower.key()));
                 let upper =
                     upper.as_ref().map_or(String::new(), |upper| format!("^{}", upper.key()));

@@ -1,15 +1,14 @@
 //! The rows of a pixel's explanation.
 
 use super::row::ACCENT;
-use super::row::FAINT;
 use super::row::Fold;
 use super::row::Row;
 use crate::WhatIf;
 use crate::encode;
 use crate::named_lines;
-use crate::symbol_ink;
-use crate::texts;
+use crate::rounded;
 use crate::translated;
+use crate::typeset;
 use common::Explanation;
 use common::Line;
 use common::LineName;
@@ -80,14 +79,14 @@ impl Told<'_> {
             match part {
                 Part::Line(line) => {
                     let new = self.is_new(section, line);
-                    let (ink, values) = (symbol_ink(line.symbol()), texts(&line.value));
+                    let values = rounded(&line.value);
                     let name = named.next().and_then(|(_, name)| name);
                     let ink = match (self.shown, &name) {
-                        (Some(shown), Some(name)) if shown == name => ACCENT,
-                        _ => ink.unwrap_or(FAINT),
+                        (Some(shown), Some(name)) if shown == name => Some(ACCENT),
+                        _ => None,
                     };
                     let altered = name.as_ref().is_some_and(|name| is_altered(self.what_ifs, name));
-                    let equation = translated(line.equation);
+                    let equation = typeset(line);
                     rows.push(Row::Line { equation, name, ink, values, new, altered });
                 }
                 Part::Scope(inner) => {
@@ -98,7 +97,7 @@ impl Told<'_> {
                         Outcome::Told => String::new(),
                         Outcome::Missed(why, _) => translated(why).to_owned(),
                         Outcome::Closest(t) | Outcome::Farther(t) => {
-                            format!("t = {}", texts(&Value::Number(t)).concat().trim())
+                            format!("t = {}", rounded(&Value::Number(t)).concat())
                         }
                     };
                     let faint = !inner.is_open();

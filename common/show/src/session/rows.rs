@@ -6,12 +6,15 @@ use super::code::Note;
 use super::explained::Told;
 use super::explained::is_altered;
 use super::layout::Layout;
+use super::layout::split;
 use super::panel::Panel;
-use super::row::ACCENT;
 use super::row::FAINT;
 use super::row::Fold;
+use super::row::MARGIN;
 use super::row::Row;
 use super::row::TEXT;
+use crate::Area;
+use crate::Boxed;
 use crate::Change;
 use crate::CodeLine;
 use crate::CodePart;
@@ -19,12 +22,16 @@ use crate::Group;
 use crate::Reading;
 use crate::code::file_name;
 use crate::desk::table;
+use crate::latex;
 use crate::short;
 use crate::symbol_ink;
 use crate::text;
 use crate::translated;
 use common::Line;
 use common::LineName;
+
+/// How much of what is read of a pixel its law may be.
+const LAW: f32 = 0.5;
 
 impl Session {
     /// The controls; none while the picture is alone.
@@ -37,12 +44,26 @@ impl Session {
 
     pub(super) fn reading_panel(&self) -> Option<Panel> {
         let layout = self.layout();
-        let area = layout.beside?.reading?;
+        let mut area = layout.beside?.reading?;
+        if let Some((_, above)) = self.law() {
+            area = split(area, above.height).1;
+        }
         let em = match self.desk.reading() {
             Reading::Code => Layout::CODE * layout.em,
             _ => layout.em,
         };
         Some(Panel::new(area, em, self.reading_rows(), self.reading_scroll))
+    }
+
+    /// The law with the pinned pixel's numbers, and where it stands: on top of what is read of the pixel.
+    pub(super) fn law(&self) -> Option<(Boxed, Area)> {
+        let layout = self.layout();
+        let area = layout.beside?.reading.filter(|_| self.desk.reading() == Reading::Pixel)?;
+        let margin = MARGIN * layout.em;
+        let room = (area.width - 2.0 * margin, LAW * area.height);
+        let law = self.desk.law()?.set(1.2 * layout.em, room.0, room.1);
+        let height = law.height() + if law.width > 0.0 { 1.2 * margin } else { 0.0 };
+        Some((law, Area { height, ..area }))
     }
 
     /// The controls in their groups.
@@ -88,8 +109,11 @@ impl Session {
             Reading::Code => self.code_rows(),
             Reading::Idea => {
                 let lines = self.desk.program().told().1.lines();
-                let ink = |line: &str| if line.starts_with(' ') { ACCENT } else { TEXT };
-                lines.map(|line| Row::Text(line.to_owned(), ink(line))).collect()
+                let row = |line: &str| match line.strip_prefix("  ") {
+                    Some(equation) => Row::Equation(latex(equation)),
+                    None => Row::Text(line.to_owned(), TEXT),
+                };
+                lines.map(row).collect()
             }
         }
     }
