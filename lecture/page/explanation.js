@@ -8,7 +8,7 @@ function explain() {
   $("unpinned").hidden = Boolean(pin);
   $("pinned").textContent = pin ? `${text("The pixel")} (${pin.join(", ")})` : text("The pixel");
   const { parts, symbols, seen } = asked("explain") || { parts: [], symbols: [] };
-  const lines = seen ? [...parts, { line: { shown: "seen", values: seen.map(String) } }] : parts;
+  const lines = seen ? [...parts, { line: { math: "seen", values: seen.map(String) } }] : parts;
   const shape = JSON.stringify([language, lines], (key, value) =>
     (key === "values" || key === "outcome" ? undefined : value));
   if (shape !== told) {
@@ -24,7 +24,7 @@ function explain() {
 
 /** What stands at each place for a value of a part, in order. */
 function valuesOf({ line, scope }) {
-  if (scope) return [symbol(scope.outcome), ...scope.parts.flatMap(valuesOf)];
+  if (scope) return [[scope.outcome], ...scope.parts.flatMap(valuesOf)];
   return [[line.values.map((number) => number.padStart(9)).join(" ").trimStart()]];
 }
 
@@ -55,8 +55,8 @@ function tellAll(parts, path) {
   return made;
 }
 
-function tellLine({ shown, ink }) {
-  const term = element("dt", {}, ...symbol(shown));
+function tellLine({ math, ink }) {
+  const term = element("dt", { innerHTML: math });
   if (ink) {
     term.className = "inked";
     term.style.setProperty("--ink", ink);
@@ -64,7 +64,7 @@ function tellLine({ shown, ink }) {
   return element("div", {}, term, place("dd", ""));
 }
 
-const tellSeen = () => tellLine({ shown: text("seen, sRGB 0 to 255") });
+const tellSeen = () => tellLine({ math: text("seen, sRGB 0 to 255") });
 
 /** The light or object whose numbers stand in the equation, if there are several. */
 let numbersOf = "";
@@ -86,11 +86,6 @@ function chooseNumbers([once, ...each]) {
   };
   const values = new Map([...(once ? once.values : []), ...(chosen ? chosen.values : [])]);
   for (const place of $("formula").querySelectorAll("[data-symbol]")) {
-    const found = place.dataset.symbol.split("|").find((name) => values.has(name));
-    place.textContent = found ? values.get(found).map(short).join("\n") : "";
+    place.textContent = (values.get(place.dataset.symbol) || []).join("\n");
   }
 }
-
-/** A number with four digits; words as they are. */
-const short = (number) =>
-  (isNaN(number) ? number : String(Number(Number(number).toPrecision(4))).replace("-", "−"));

@@ -171,6 +171,7 @@ pub(crate) struct Group {
 pub(crate) struct Setting {
     /// What it is called among all, and what it is called in its group.
     pub(crate) name: String,
+    /// In MathML.
     pub(crate) label: String,
     pub(crate) kind: &'static str,
     pub(crate) text: String,
@@ -184,8 +185,8 @@ pub(crate) struct Setting {
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 pub(crate) enum Part {
-    /// A value: how its equation is shown, its symbol's colour, its numbers.
-    Line { shown: &'static str, ink: Option<String>, values: Vec<String> },
+    /// A value: its equation in MathML, its symbol's colour, its numbers.
+    Line { math: String, ink: Option<String>, values: Vec<String> },
     /// What is told of a thing: what it is found by, how it is shown, what came of it.
     Scope { name: &'static str, shown: &'static str, open: bool, outcome: String, parts: Vec<Part> },
 }

@@ -49,8 +49,8 @@ const BESIDE: f32 = 1.12;
 const AXIS: f32 = 0.258;
 const BAR: f32 = 0.06;
 const SCRIPT: f32 = 0.72;
-const NUMBER: f32 = 0.66;
-const LINE: f32 = 0.74;
+const NUMBER: f32 = 0.64;
+const LINE: f32 = 0.7;
 
 /// The colour of a number that hangs below what has none.
 const NUMBERS: Ink = Ink::new(255, 212, 121);

@@ -12,7 +12,9 @@ mod symbols;
 
 pub use boxes::Boxed;
 pub use law::Law;
+pub use law::law_name;
 pub use law::laws;
+pub(crate) use law::symbol;
 pub use law::typeset;
 pub use markup::mathml;
 pub use read::Kind;

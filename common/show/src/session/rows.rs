@@ -21,7 +21,7 @@ use crate::latex;
 use crate::translated;
 
 /// How much of what is read of a pixel its law may be.
-const LAW: f32 = 0.5;
+const LAW: f32 = 0.45;
 
 /// What a diff takes away.
 const REMOVED: Ink = Ink::new(255, 160, 150);
@@ -50,7 +50,7 @@ impl Session {
         let area = layout.beside?.reading.filter(|_| self.desk.reading() == Reading::Pixel)?;
         let margin = MARGIN * layout.em;
         let room = (area.width - 2.0 * margin, LAW * area.height);
-        let law = self.desk.law()?.set(1.2 * layout.em, room.0, room.1);
+        let law = self.desk.law()?.set(1.1 * layout.em, room.0, room.1);
         let height = law.height() + if law.width > 0.0 { 1.2 * margin } else { 0.0 };
         Some((law, Area { height, ..area }))
     }
@@ -62,8 +62,8 @@ impl Session {
             let fold = Fold::Controls(name);
             let open = name.is_empty() || self.is_open(fold, open);
             if !name.is_empty() {
-                let (text, value) = (translated(name), String::new());
-                rows.push(Row::Heading { fold, text, value, open, faint: false, new: false });
+                let text = translated(name).to_owned();
+                rows.push(Row::Heading { fold, text, value: None, open, new: false });
             }
             if open {
                 rows.extend(settings.into_iter().map(Row::Control));
@@ -80,6 +80,8 @@ impl Session {
                 Told {
                     explanation: &explanation,
                     before: before.as_ref(),
+                    program: Some(self.desk.program()),
+                    light: self.desk.setup().chosen("light"),
                     shown: self.desk.shown_line(),
                     what_ifs: self.desk.what_ifs(),
                     folds: &self.folds,
