@@ -94,6 +94,7 @@ pub use math::Kind;
 pub use math::Law;
 pub use math::Math;
 pub use math::Symbols;
+pub use math::ink_of;
 pub use math::latex;
 pub use math::law_name;
 pub use math::laws;

@@ -5,9 +5,9 @@ use common::Outcome;
 use common::Scope;
 use common::Value;
 use show::encode;
+use show::ink_of;
 use show::mathml;
 use show::rounded;
-use show::symbol_ink;
 use show::symbols;
 use show::translated;
 use show::typeset;
@@ -29,7 +29,7 @@ pub(crate) fn explained(explanation: &Explanation) -> Explained {
 fn parts(scope: &Scope) -> Vec<Part> {
     let part = |part: &common::Part| match part {
         common::Part::Line(line) => {
-            let ink = symbol_ink(line.symbol()).map(|ink| {
+            let ink = ink_of(line).map(|ink| {
                 let [r, g, b] = ink.rgb;
                 format!("#{r:02x}{g:02x}{b:02x}")
             });

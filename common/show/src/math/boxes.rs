@@ -56,7 +56,7 @@ const LINE: f32 = 0.7;
 const NUMBERS: Ink = Ink::new(255, 212, 121);
 
 /// The colour of what has this [`key`](Math::key), by the name under which it is told.
-fn ink(key: &str) -> Option<Ink> {
+pub(super) fn ink(key: &str) -> Option<Ink> {
     let told = |letter: char| match u32::from(letter) {
         code @ 0x1D41A..=0x1D433 => char::from_u32(code - 0x1D41A + u32::from('a')),
         0x1D6FC => Some('α'),

@@ -7,6 +7,7 @@ use super::boxes::Style;
 use super::latex;
 use super::plain;
 use super::symbols;
+use crate::Ink;
 use crate::rounded;
 use crate::translated;
 use common::Explanation;
@@ -50,6 +51,11 @@ fn kind(line: &Line) -> Kind {
 /// What a line gives a value to.
 pub(crate) fn symbol(line: &Line) -> Math {
     plain(line.symbol(), kind(line))
+}
+
+/// The colour of the symbol that a line gives a value to, if it has one of its own.
+pub fn ink_of(line: &Line) -> Option<Ink> {
+    super::boxes::ink(&symbol(line).key())
 }
 
 /// What a line tells, as a slide has it.

@@ -79,8 +79,9 @@ fn part(math: &Math, place: Place<'_>) -> String {
             format!("<{name}>{}{below}{above}</{name}>", one(base, &mut |_, _| None))
         }
         Math::Fence(open, inside, close) => {
+            let high = *open == '[' || inside.is_high();
             let bar = |sign: &char, form: &str| {
-                format!("<mo form=\"{form}\" fence=\"true\" stretchy=\"true\">{sign}</mo>")
+                format!("<mo form=\"{form}\" fence=\"true\" stretchy=\"{high}\">{sign}</mo>")
             };
             let (open, close) = (bar(open, "prefix"), bar(close, "postfix"));
             format!("<mrow>{open}{}{close}</mrow>", row(inside.parts(), place))

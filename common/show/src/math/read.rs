@@ -246,6 +246,7 @@ impl Reader<'_> {
                 self.spaces();
                 Math::Root(bare(self.scripted()))
             }
+            '.' => Math::Word(".".to_owned()),
             '-' => Math::Sign('−'),
             'Σ' => Math::Sign('∑'),
             sign => Math::Sign(sign),
