@@ -5,5 +5,5 @@ use step03_triangle::Lesson;
 
 fn main() -> ExitCode {
     let (name, concept) = (env!("CARGO_PKG_NAME"), env!("CARGO_PKG_DESCRIPTION"));
-    exercises::main::<Lesson>(name, concept, include_str!("README.md"))
+    exercises::main::<Lesson>(name, concept, source::of(name), include_str!("README.md"))
 }

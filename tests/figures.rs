@@ -4,11 +4,7 @@
 //! `UPDATE_SNAPSHOTS=1 cargo test -p tests --test programs figures` makes the committed ones anew.
 
 use std::ffi::OsStr;
-use std::path::PathBuf;
 
-use lecture::FIGURES;
-use rayon::iter::IntoParallelRefIterator;
-use rayon::iter::ParallelIterator;
 use tests::prelude::*;
 
 /// The names of the files in `folder` of a step, without their extension, in order; a step without

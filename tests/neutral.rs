@@ -43,16 +43,12 @@ fn explanations(step: &dyn Step, view: &View) -> Vec<Explanation> {
 
 #[track_caller]
 fn same(later: &[Color], earlier: &[Color], why: &str) {
-    let different = || later.iter().zip(earlier).enumerate().filter(|(_, (a, b))| a != b);
-    let Some((index, (later, earlier))) = different().next() else { return };
-    panic!(
-        "{} of {} pixels are not those of the earlier step, first ({}, {}) of {WIDTH}x{HEIGHT}: \
-         {later} instead of {earlier}; they should be, because {why}",
-        different().count(),
-        WIDTH * HEIGHT,
-        index % WIDTH,
-        index / WIDTH,
-    );
+    let mut places = pixels(WIDTH, HEIGHT).zip(later.iter().zip(earlier));
+    if let Some((pixel, (later, earlier))) = places.find(|(_, (a, b))| a != b) {
+        panic!("{pixel:?} is {later} instead of {earlier}, the earlier step's, because {why}");
+    }
+    // Black equals black: what is neutral must not be nothing.
+    assert!(later.iter().any(|color| *color != later[0]), "one colour: {why}");
 }
 
 fn set_up<S: Step + Clone + 'static>(step: &S) -> Setup {
@@ -136,10 +132,10 @@ fn with_epsilon_1_each_light_lights_all_that_faces_it_and_nothing_is_said_to_blo
         let shadowed = colors(&Shadow::default(), &view);
         assert!(shadowed != expected, "with ε = 10⁻³ there are shadows, seen from {view:?}");
     }
-    let told = [&later as &dyn Step, &dull].map(|step| explanations(step, &step.view())).concat();
-    let mut blockers = told.iter().flat_map(|told| told.lines().copied().collect::<Vec<_>>());
-    let nothing = Value::Word("nothing");
-    assert!(blockers.all(|line| line.equation != "blocked by" || line.value == nothing));
+    for told in [&later as &dyn Step, &dull].map(|step| explanations(step, &step.view())).concat() {
+        let mut blockers = told.lines().filter(|line| line.equation == "blocked by");
+        assert!(blockers.all(|line| line.value == Value::Word("nothing")));
+    }
 }
 
 #[test]
@@ -178,45 +174,6 @@ fn later_steps_cast_the_rays_of_step01_and_hit_what_step04_does() {
                     }
                 }
             }
-        }
-    }
-}
-
-#[test]
-fn step04_with_one_surface_is_step03_or_step02() {
-    use lecture::step04_scene::scene::Object;
-    use lecture::step04_scene::sphere::Sphere as Ball;
-    use lecture::step04_scene::surface::Surface;
-    use lecture::step04_scene::triangle::Triangle as Corners;
-
-    let (sphere, triangle) = (Sphere::default(), Triangle::default());
-    let alone = |surface| {
-        let mut step = Flat::default();
-        step.scene.objects = vec![Object { name: "object", color: Color::ONE, surface }];
-        step.scene.background = Color::ZERO;
-        step
-    };
-    let flat = alone(Surface::Triangle(Corners::new(triangle.vertices)));
-    let round = alone(Surface::Sphere(Ball { center: Vec3::ZERO, radius: 1.0 }));
-    for view in views(&triangle) {
-        // α + β + γ = 1 inside, so that no pixel of it is black.
-        let white = |weights| if weights == Color::ZERO { Color::ZERO } else { Color::ONE };
-        let covered: Vec<Color> = colors(&triangle, &view).into_iter().map(white).collect();
-        let why = "its triangle is all there is, in white";
-        same(&colors(&flat, &view), &covered, why);
-        let why = "the slide's white unit sphere on black is all there is";
-        same(&colors(&round, &view), &colors(&sphere, &view), why);
-    }
-}
-
-#[test]
-fn the_pictures_compared_show_something() {
-    // Black equals black: what is neutral must not be nothing. Step 01 does show one colour where
-    // it should: parallel rays have one direction.
-    for step in (1..STEPS.len()).map(step) {
-        for view in views(&*step) {
-            let colors = colors(&*step, &view);
-            assert!(colors.iter().any(|color| *color != colors[0]), "{view:?} shows one colour");
         }
     }
 }

@@ -1,7 +1,6 @@
 //! What hands do on the page, in a browser.
 
 use serde_json::Value;
-use serde_json::json;
 use tests::prelude::*;
 
 use crate::browser::Browser;
@@ -128,6 +127,16 @@ fn typed(key: Key) -> String {
     char::from_u32(0xe000 + code).expect("a private character").to_string()
 }
 
+/// An address without the last digits of what was computed: of those a browser and the processor may
+/// think differently.
+fn rough(address: &str) -> String {
+    let parts = address.split_inclusive(['=', ',', '&']).map(|part| {
+        let number = part.trim_end_matches(['=', ',', '&']).parse::<f32>();
+        number.map_or(part.to_owned(), |number| format!("{number:.4},"))
+    });
+    parts.collect()
+}
+
 #[test]
 #[ignore = "needs Chromium and the wasm target"]
 fn each_key_does_what_it_does_in_the_window() {
@@ -154,11 +163,12 @@ fn each_key_does_what_it_does_in_the_window() {
             let desk = session.desk();
             let (address, alone) = (desk.address(Language::ENGLISH), desk.alone());
             let reads = desk.reading() == Reading::Keys;
+            assert_eq!(rough(&browser.text("return state.address")), rough(&address), "{key:?}");
             assert_eq!(
                 browser.run(
-                    "return [state.address, state.holding, selected().name || null, !$('keys').hidden, $('panels').offsetParent === null]"
+                    "return [state.holding, selected().name || null, !$('keys').hidden, $('panels').offsetParent === null]"
                 ),
-                json!([address, desk.is_holding(), session.selected(), reads, alone]),
+                json!([desk.is_holding(), session.selected(), reads, alone]),
                 "{key:?}"
             );
         }
@@ -219,7 +229,7 @@ fn the_keyboard_reaches_it_all() {
     assert_eq!(browser.run(state), json!([7, false, false]));
 
     // What is read instead comes into sight, in larger letters if need be.
-    for (key, place) in [('K', "keys"), ('L', "diff07"), ('I', "handout07-en")] {
+    for (key, place) in [('M', "keys"), ('L', "diff07"), ('I', "handout07-en")] {
         press(Key::Char(key));
         let top = format!("$('{place}').getBoundingClientRect().top");
         browser.wait_until(&format!("{top} >= -1 && {top} < innerHeight / 2"));
@@ -252,7 +262,7 @@ fn a_link_shows_the_same_again() {
     browser.open(link);
     browser.wait_for(DRAWN);
     assert!(seen() == before, "{link} shows something else");
-    let command = "$('command').click(); return $('notice').textContent.endsWith(state.command)";
+    let command = "$('command').click(); return $('notice').textContent.endsWith(asked('command'))";
     assert_eq!(browser.run(command), true);
 
     // What is to be tried is a click away, and keeps the pin.

@@ -1,7 +1,5 @@
 //! What the page draws in a browser is what the steps and their figures draw.
 
-use lecture::FIGURES;
-use serde_json::json;
 use tests::prelude::*;
 
 use crate::browser::Browser;

@@ -1,7 +1,6 @@
 //! What the page says in a browser, in which language, and to whom.
 
 use serde_json::Value;
-use serde_json::json;
 use tests::prelude::*;
 
 use crate::browser::Browser;
@@ -69,7 +68,9 @@ fn everybody_can_use_it() {
         browser.resize(width, 640);
         for name in STEPS {
             browser.show(&format!("#{}&pixel=440,200&handles=on", &name[..6]));
-            browser.run("press('k')");
+            // A line as a picture, with its curve, and another altered.
+            browser.run("for (const key of 'kqjuw') press(key)");
+            browser.run("press('m')");
             browser.unfold();
             // There is nothing beyond the edge.
             let wide = browser.run("return document.documentElement.scrollWidth - innerWidth");

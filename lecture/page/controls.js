@@ -78,3 +78,20 @@ class Controls {
 }
 
 const controls = new Controls($("controls"), "", moved);
+/** Those of what is answered otherwise, below the picture so that they are in sight. */
+const answers = new Controls($("answers"), "", moved);
+
+/** Shows all controls; whether something more is answered otherwise than before. */
+function showControls() {
+  const { groups, altered } = state;
+  const count = () => $("answers").querySelectorAll("input").length;
+  const before = count();
+  answers.show(altered ? groups.slice(0, 1) : []);
+  controls.show(altered ? groups.slice(1) : groups);
+  $("answers").hidden = !altered;
+  if (altered) $("answers").querySelector("summary").textContent = altered;
+  if (count() <= before) return false;
+  // Keys act on it, as the first that can be selected.
+  chosen = "";
+  return true;
+}

@@ -4,6 +4,7 @@ speak(language);
 $("language").onclick = () => (ask ? act({ language: next() }) : speak(next()));
 start().then(() => {
   change({ do: { language } });
+  readTours();
   document.documentElement.classList.add("runs");
   indent();
   hands();

@@ -32,6 +32,7 @@ function read(before) {
   const shown = {
     pixel: $("panels"),
     keys: $("keys"),
+    stops: $("stops"),
     diff: $(`diff${two(step)}`),
     idea: handout(step),
   }[reading];

@@ -20,6 +20,7 @@ use jpeg_encoder::ColorType;
 use jpeg_encoder::Encoder;
 use jpeg_encoder::SamplingFactor;
 use show::Language;
+use show::Tour;
 use show::text;
 
 use crate::PROGRAMS;
@@ -53,6 +54,7 @@ const SCRIPT: &str = concat!(
     include_str!("../page/desk.js"),
     include_str!("../page/controls.js"),
     include_str!("../page/figures.js"),
+    include_str!("../page/class.js"),
     include_str!("../page/hands.js"),
     include_str!("../page/keys.js"),
     include_str!("../page/main.js"),
@@ -68,11 +70,11 @@ fn root() -> &'static Path {
 /// # Errors
 ///
 /// When a handout, a diff or a picture cannot be read.
-pub fn html(program: &[u8]) -> Result<String> {
+pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
     let root = root();
     let mut packed = GzEncoder::new(Vec::new(), Compression::best());
     packed.write_all(program)?;
-    let wasm = STANDARD.encode(packed.finish()?);
+    let wasm = letters(&packed.finish()?);
     let (mut links, mut articles) = (String::new(), String::new());
     let font = STANDARD.encode(FONT);
     let mut style = format!(
@@ -116,8 +118,21 @@ pub fn html(program: &[u8]) -> Result<String> {
             ("links", &links),
             ("articles", &articles),
             ("wasm", &wasm),
+            ("tours", &page::tours(tours)?.replace("</", "<\\/")),
         ],
     ))
+}
+
+/// Bytes as text, of which each letter has seven bits: shorter than base64. What HTML does not leave as it
+/// is (a zero, the end of a line, the beginning of a tag) stands 256 letters further on.
+fn letters(bytes: &[u8]) -> String {
+    let bit = |at: usize| bytes.get(at / 8).map_or(0, |byte| byte >> (7 - at % 8) & 1);
+    let letter = |first: usize| (first..first + 7).fold(0, |letter, at| 2 * letter + bit(at));
+    let further = |letter: u8| match letter {
+        b'\0' | b'\r' | b'<' => 256 + u32::from(letter),
+        letter => u32::from(letter),
+    };
+    (0..8 * bytes.len()).step_by(7).filter_map(|at| char::from_u32(further(letter(at)))).collect()
 }
 
 /// Of each language the page's own texts by their English, for its script: those that `sources` have

@@ -7,6 +7,7 @@ use image::imageops;
 
 use crate::Anchor;
 use crate::Area;
+use crate::CodeFont;
 use crate::Font;
 use crate::Ink;
 use crate::MathFont;
@@ -217,6 +218,18 @@ impl<'a> Canvas<'a> {
         }
         let ends = (clip.left.into(), clip.right().into());
         Font::masks(area, size, text, part, ends, |left, top, mask| self.lay(left, top, mask, ink));
+    }
+
+    /// Writes a line of code, whose upper left corner comes to `at`, in [`CodeFont`].
+    pub fn code(&mut self, at: (f32, f32), size: f32, ink: Ink, text: &str) {
+        let area = Area::new(at.0, at.1, CodeFont::width(size, text), Font::line_height(size));
+        let clip = self.clip();
+        if area.inset(-2.0 * area.height).meets(clip) {
+            let ends = (clip.left.into(), clip.right().into());
+            CodeFont::masks(area, size, text, ends, |left, top, mask| {
+                self.lay(left, top, mask, ink)
+            });
+        }
     }
 
     /// Draws a letter of an equation with its pen at `pen`, on the baseline: see [`MathFont`].

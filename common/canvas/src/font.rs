@@ -22,6 +22,19 @@ use crate::Area;
 #[derive(Clone, Copy, Debug)]
 pub struct Font;
 
+/// The letters of European languages and the signs of equations alone: a tenth of the whole font. What
+/// makes it stands beside it.
+const DEJAVU: &[u8] = include_bytes!("../font/DejaVuSerifCondensed.ttf");
+
+/// The font of code: Iosevka, of whose letters each is half an em wide, so that many fit into a line.
+#[derive(Clone, Copy, Debug)]
+pub struct CodeFont;
+
+const IOSEVKA: &[u8] = include_bytes!("../font/Iosevka.ttf");
+
+/// That of equations.
+const STIX: &[u8] = include_bytes!("../font/StixTwoMath.ttf");
+
 /// How a letter covers the pixels around its origin, 0 to 255: rows from the top.
 pub(crate) struct Mask {
     pub(crate) left: i64,
@@ -54,8 +67,9 @@ struct Glyphs {
 }
 
 thread_local! {
-    static GLYPHS: RefCell<Glyphs> = RefCell::new(Glyphs::new(dejavu::serif_condensed::regular()));
-    static SIGNS: RefCell<Glyphs> = RefCell::new(Glyphs::new(include_bytes!("../fonts/stix-two-math.ttf")));
+    static GLYPHS: RefCell<Glyphs> = RefCell::new(Glyphs::new(DEJAVU));
+    static CODE_GLYPHS: RefCell<Glyphs> = RefCell::new(Glyphs::new(IOSEVKA));
+    static SIGNS: RefCell<Glyphs> = RefCell::new(Glyphs::new(STIX));
 }
 
 /// A letter starts at a whole number of pixels and so many parts of one.
@@ -101,8 +115,8 @@ impl Mask {
 }
 
 impl Glyphs {
-    fn new(file: &'static [u8]) -> Self {
-        let font = FontRef::try_from_slice(file).expect("the embedded font is a whole one");
+    fn new(font: &'static [u8]) -> Self {
+        let font = FontRef::try_from_slice(font).expect("the embedded font is a whole one");
         let units_per_em = font.units_per_em().unwrap_or(1.0);
         Self { font, units_per_em, letters: HashMap::new(), masks: HashMap::new(), bytes: 0 }
     }
@@ -117,6 +131,11 @@ impl Glyphs {
     /// How wide a text is, in the font's units.
     fn advance(&mut self, text: &str) -> u64 {
         text.chars().map(|letter| u64::from(self.letter(letter).advance)).sum()
+    }
+
+    /// How wide a text is, in pixels.
+    fn width(&mut self, size: f32, text: &str) -> f32 {
+        self.advance(text) as f32 * (drawn(size) / self.units_per_em)
     }
 
     /// How many of the font's units fit into `width`; all of them at size 0.
@@ -191,9 +210,7 @@ impl Font {
 
     /// How wide a line of text is, in pixels: how far the pen goes on.
     pub fn width(size: f32, text: &str) -> f32 {
-        GLYPHS.with_borrow_mut(|glyphs| {
-            glyphs.advance(text) as f32 * (drawn(size) / glyphs.units_per_em)
-        })
+        GLYPHS.with_borrow_mut(|glyphs| glyphs.width(size, text))
     }
 
     /// How high a line of text is, in pixels, and how far it is from one to the next.
@@ -266,7 +283,37 @@ impl Font {
     /// Hands out the masks of a line of text in `area`, each with the column and the row of its
     /// upper left corner, of those letters that can be seen between the columns `from` and `to`.
     pub(crate) fn masks(
-        area: Area, size: f32, text: &str, part: Part, (from, to): (f64, f64),
+        area: Area, size: f32, text: &str, part: Part, ends: (f64, f64),
+        draw: impl FnMut(i64, i64, &Mask),
+    ) {
+        GLYPHS.with_borrow_mut(|glyphs| glyphs.hand_out(area, size, text, part, ends, draw));
+    }
+}
+
+impl CodeFont {
+    /// How wide a line of code is, in pixels.
+    pub fn width(size: f32, text: &str) -> f32 {
+        CODE_GLYPHS.with_borrow_mut(|glyphs| glyphs.width(size, text))
+    }
+
+    /// Whether it has this letter.
+    pub fn has(letter: char) -> bool {
+        CODE_GLYPHS.with_borrow_mut(|glyphs| glyphs.letter(letter).id != GlyphId(0))
+    }
+
+    /// As [`Font::masks`].
+    pub(crate) fn masks(
+        area: Area, size: f32, text: &str, ends: (f64, f64), draw: impl FnMut(i64, i64, &Mask),
+    ) {
+        let part = Part::Letter;
+        CODE_GLYPHS.with_borrow_mut(|glyphs| glyphs.hand_out(area, size, text, part, ends, draw));
+    }
+}
+
+impl Glyphs {
+    /// Hands out the masks of [`Font::masks`].
+    fn hand_out(
+        &mut self, area: Area, size: f32, text: &str, part: Part, (from, to): (f64, f64),
         mut draw: impl FnMut(i64, i64, &Mask),
     ) {
         let size = drawn(size);
@@ -275,25 +322,23 @@ impl Font {
         }
         // No letter reaches further from its origin, with its halo.
         let reach = f64::from(2.0 * size + halo_reach(size));
-        GLYPHS.with_borrow_mut(|glyphs| {
-            let scale = f64::from(size / glyphs.units_per_em);
-            let ascent = size * glyphs.font.ascent_unscaled() / glyphs.units_per_em;
-            let baseline = (area.top + ascent).round() as i64;
-            let mut units = 0;
-            for letter in text.chars() {
-                let pen = f64::from(area.left) + units as f64 * scale;
-                if pen > to + reach {
-                    break;
-                }
-                let Letter { id, advance } = glyphs.letter(letter);
-                units += u64::from(advance);
-                if pen > from - reach {
-                    let phases = (pen * PHASES as f64).round() as i64;
-                    let mask = glyphs.mask(id, size, phases.rem_euclid(PHASES), part);
-                    draw(phases.div_euclid(PHASES) + mask.left, baseline + mask.top, mask);
-                }
+        let scale = f64::from(size / self.units_per_em);
+        let ascent = size * self.font.ascent_unscaled() / self.units_per_em;
+        let baseline = (area.top + ascent).round() as i64;
+        let mut units = 0;
+        for letter in text.chars() {
+            let pen = f64::from(area.left) + units as f64 * scale;
+            if pen > to + reach {
+                break;
             }
-        });
+            let Letter { id, advance } = self.letter(letter);
+            units += u64::from(advance);
+            if pen > from - reach {
+                let phases = (pen * PHASES as f64).round() as i64;
+                let mask = self.mask(id, size, phases.rem_euclid(PHASES), part);
+                draw(phases.div_euclid(PHASES) + mask.left, baseline + mask.top, mask);
+            }
+        }
     }
 }
 

@@ -15,6 +15,7 @@ mod told;
 pub use area::Anchor;
 pub use area::Area;
 pub use canvas::Canvas;
+pub use font::CodeFont;
 pub use font::Font;
 pub use font::MathFont;
 pub use ink::Ink;

@@ -5,8 +5,10 @@ use image::RgbImage;
 use crate::Area;
 use crate::Canvas;
 use crate::Compare;
+use crate::Curve;
 use crate::Desk;
 use crate::Handle;
+use crate::Legend;
 use crate::Outside;
 use crate::Sight;
 use crate::draw_vectors;
@@ -42,6 +44,28 @@ pub fn draw_marks(desk: &Desk, canvas: &mut Canvas<'_>, area: Area, text_size: f
         let camera = view.camera(desk.picture_size().aspect());
         let sight = Sight { step, camera: &*camera, area };
         draw_vectors(&mut canvas, sight, explanation.as_ref(), &points, text_size);
+    }
+}
+
+/// How high, in ems, what stands below the picture of a told line is; 0 where none is shown.
+pub fn height_below(desk: &Desk) -> f32 {
+    match (desk.legend(), desk.has_curve()) {
+        (None, _) => 0.0,
+        (Some(_), false) => Legend::HEIGHT,
+        (Some(_), true) => Legend::HEIGHT + Curve::HEIGHT,
+    }
+}
+
+/// Draws what stands below the picture of a told line: its legend, with what is answered otherwise if
+/// that is said `altered`, and its curve.
+pub fn draw_below(desk: &Desk, canvas: &mut Canvas<'_>, area: Area, em: f32, altered: bool) {
+    let Some(mut legend) = desk.legend() else { return };
+    legend.altered = desk.altered().filter(|_| altered).unwrap_or_default();
+    let upper = Area { height: Legend::HEIGHT * em, ..area };
+    legend.draw(canvas, upper.inset(0.4 * em), 0.9 * em);
+    if let Some(curve) = desk.curve() {
+        let lower = Area { top: upper.bottom(), height: Curve::HEIGHT * em, ..area };
+        curve.draw(canvas, lower, 0.9 * em);
     }
 }
 

@@ -6,7 +6,7 @@ use crate::Boxed;
 use crate::Canvas;
 use crate::Font;
 use crate::Ink;
-use crate::Kind;
+use crate::Letters;
 use crate::Sight;
 use crate::Stroke;
 use crate::plain;
@@ -213,7 +213,7 @@ impl<'a> Pen<'a> {
         let mut taken: Vec<Area> = self.labels.iter().map(|label| dot(label.at)).collect();
         taken.append(&mut self.marks);
         for label in &self.labels {
-            let text = plain(&label.texts.join(", "), Kind::Vector);
+            let text = plain(&label.texts.join(", "), Letters::Vector);
             let set = Boxed::inline(&text, self.text_size);
             let place = |(x, y): (f32, f32), gap: f32| {
                 let area = Area::anchored(label.at, Anchor::Center, set.width, height);

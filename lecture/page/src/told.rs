@@ -1,12 +1,16 @@
 //! How a pixel comes by its colour, as a browser is told it.
 
 use common::Explanation;
+use common::LineName;
 use common::Outcome;
+use common::Place;
 use common::Scope;
 use common::Value;
+use show::Desk;
 use show::encode;
 use show::ink_of;
 use show::mathml;
+use show::named_lines;
 use show::rounded;
 use show::symbols;
 use show::translated;
@@ -16,25 +20,37 @@ use crate::protocol::Explained;
 use crate::protocol::Part;
 use crate::protocol::Symbols;
 
-/// What is shown is in the language that is spoken; what it is found by is not.
-pub(crate) fn explained(explanation: &Explanation) -> Explained {
-    let told = &explanation.told;
-    Explained {
-        parts: parts(told),
-        seen: encode(explanation.color),
-        symbols: told_symbols(explanation),
-    }
+/// How the pinned pixel comes by its colour, if one is pinned. What is shown is in the language that is
+/// spoken; what it is found by is not.
+pub(crate) fn explained(desk: &Desk) -> Option<Explained> {
+    let explanation = &desk.explanation()?;
+    let parts = parts(&explanation.told, &explanation.told, desk);
+    let symbols = told_symbols(explanation);
+    Some(Explained { parts, seen: encode(explanation.color), symbols })
 }
 
-fn parts(scope: &Scope) -> Vec<Part> {
+/// `around` is what the scope is in.
+fn parts(scope: &Scope, around: &Scope, desk: &Desk) -> Vec<Part> {
+    let mut named = named_lines(scope, around).into_iter();
     let part = |part: &common::Part| match part {
         common::Part::Line(line) => {
             let ink = ink_of(line).map(|ink| {
                 let [r, g, b] = ink.rgb;
                 format!("#{r:02x}{g:02x}{b:02x}")
             });
-            let math = mathml(&typeset(line), false, &mut |_, _| None);
-            Part::Line { math, ink, values: rounded(&line.value) }
+            let name = named.next().and_then(|(_, name)| name);
+            let is_ray = matches!(line.place, Some(Place::ShadowRay(..)));
+            Part::Line {
+                shown: translated(line.equation),
+                math: mathml(&typeset(line), false, &mut |_, _| None),
+                ink,
+                values: rounded(&line.value),
+                open: !is_ray && !matches!(line.value, Value::Word(_)),
+                chosen: name.is_some() && desk.line() == name.as_ref(),
+                pictured: name.is_some() && desk.shown_line() == name.as_ref(),
+                altered: name.as_ref().is_some_and(|name| desk.is_altered(name)),
+                name: name.map(|LineName { equation, of }| (equation, of)),
+            }
         }
         common::Part::Scope(inner) => {
             let outcome = match inner.outcome {
@@ -47,7 +63,7 @@ fn parts(scope: &Scope) -> Vec<Part> {
                 }
             };
             let (name, shown, open) = (inner.name, translated(inner.name), inner.is_open());
-            Part::Scope { name, shown, open, outcome, parts: parts(inner) }
+            Part::Scope { name, shown, open, outcome, parts: parts(inner, scope, desk) }
         }
     };
     scope.parts.iter().map(part).collect()

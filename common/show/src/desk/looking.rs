@@ -94,6 +94,11 @@ impl Desk {
         self.look.quantity.as_ref().map(|quantity| &quantity.line)
     }
 
+    /// Whether the line is answered otherwise.
+    pub fn is_altered(&self, line: &LineName) -> bool {
+        self.what_ifs.iter().any(|what_if| what_if.alters(line))
+    }
+
     /// What is answered otherwise.
     pub fn what_ifs(&self) -> &[WhatIf] {
         &self.what_ifs
@@ -136,6 +141,7 @@ impl Desk {
     /// Shows the line as a picture; if it is shown, no more.
     pub(super) fn show_line(&mut self, line: LineName) {
         let shown = self.shown_line() == Some(&line);
+        self.line = Some(line.clone());
         self.look.quantity = None;
         self.shown = None;
         if !shown {
@@ -247,6 +253,7 @@ impl Desk {
     /// Answers the line as it is, to be changed by its controls; if it is answered otherwise, no more.
     pub(super) fn ask_what_if(&mut self, line: &LineName) -> Result<(), Refusal> {
         let count = self.what_ifs.len();
+        self.line = Some(line.clone());
         self.what_ifs.retain(|what_if| what_if.answer.line != *line);
         if self.what_ifs.len() == count {
             let told = self.surveyed().find_map(|explanation| WhatIf::new(line, &explanation));

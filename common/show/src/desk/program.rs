@@ -1,7 +1,10 @@
 //! A step as a program.
 
-use crate::Kind;
+use std::rc::Rc;
+
+use crate::Code;
 use crate::Language;
+use crate::Letters;
 use crate::Make;
 use crate::Size;
 use crate::laws;
@@ -23,8 +26,8 @@ pub struct Program {
     pub size: Size,
     /// The titles of its slides; "" where they need not be told.
     pub slides: &'static str,
-    /// Its diff to the step before; "" where there is none to be shown.
-    pub diff: &'static str,
+    /// Its code; none where there is none to be shown.
+    pub code: Rc<Code>,
     /// Its equation and idea in short, a paragraph a line, equations indented; "" where there is
     /// none to be shown.
     pub idea: &'static str,
@@ -46,7 +49,7 @@ impl Program {
             make,
             size,
             slides: "",
-            diff: "",
+            code: Rc::default(),
             idea: "",
             handout: "",
             texts: Vec::new(),
@@ -76,7 +79,9 @@ impl Program {
             symbols.filter_map(|row| row.split(" | ").next()).flat_map(|names| names.split(", "));
         let is_it = |name: &str| {
             let name = name.replace(['*', '\\'], "");
-            [Kind::Scalar, Kind::Vector].iter().any(|kind| plain(&name, *kind).key() == symbol)
+            [Letters::Scalar, Letters::Vector]
+                .iter()
+                .any(|letters| plain(&name, *letters).key() == symbol)
         };
         symbols.any(is_it)
     }

@@ -60,6 +60,12 @@ impl WhatIf {
         Some(Self { answer, asked: line.clone(), told, of })
     }
 
+    /// Whether it changes what is told of `line`.
+    pub(crate) fn alters(&self, line: &LineName) -> bool {
+        let LineName { equation, of } = &self.answer.line;
+        *equation == line.equation && ["", &line.of].contains(&of.as_str())
+    }
+
     /// What it is called among the settings.
     pub(super) fn name(&self) -> String {
         format!("{WHAT_IF}{}", written(&self.answer.line))

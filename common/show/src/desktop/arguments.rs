@@ -13,18 +13,17 @@ use clap::builder::TypedValueParser;
 use clap::error::ContextKind;
 use clap::error::ContextValue;
 use clap::error::ErrorKind;
+use clap::value_parser;
 use image::ImageFormat;
 use strsim::damerau_levenshtein;
 
 use super::suite::Suite;
 use super::window::Place;
+use crate::Frame;
 use crate::Language;
 use crate::Size;
 use crate::text;
 use common::View;
-
-/// The most rays a pixel are this many squared.
-pub(super) const MAX_SAMPLES: usize = 16;
 
 /// The value of an option that not every command line has.
 pub(super) fn given<T: Clone + Send + Sync + 'static>(
@@ -39,8 +38,8 @@ pub(super) fn given<T: Clone + Send + Sync + 'static>(
 pub(super) fn command(suite: &Suite) -> Command {
     let size = |text: &str| text.parse::<Size>().map_err(|error| error.to_string());
     let samples = |text: &str| match text.parse() {
-        Ok(samples) if (1..=MAX_SAMPLES).contains(&samples) => Ok(samples),
-        _ => Err(text!("it takes a whole number from 1 to {most}", most = MAX_SAMPLES)),
+        Ok(samples) if (1..=Frame::MAX_SAMPLES).contains(&samples) => Ok(samples),
+        _ => Err(text!("it takes a whole number from 1 to {most}", most = Frame::MAX_SAMPLES)),
     };
     let pixel = |text: &str| {
         let (col, row) = text.split_once(',').ok_or(text!("a pixel is X,Y, such as 480,270"))?;
@@ -77,6 +76,14 @@ pub(super) fn command(suite: &Suite) -> Command {
     if last > 1 {
         command = command
             .arg(option("step", "N").value_parser(step))
+            .arg(
+                option("stop", "N")
+                    .value_parser(value_parser!(u16).range(1..))
+                    .conflicts_with("step"),
+            )
+            .arg(file("tour").value_parser(PathBufValueParser::new()))
+            .arg(Arg::new("check-tour").long("check-tour").action(ArgAction::SetTrue))
+            .arg(Arg::new("still").long("still").action(ArgAction::SetTrue))
             .arg(option("divide", "PART").value_parser(part).conflicts_with("compare"))
             .arg(
                 Arg::new("difference")
@@ -102,7 +109,27 @@ pub(super) fn command(suite: &Suite) -> Command {
     }
     if suite.page.is_some() {
         let page = file("page").value_parser(PathBufValueParser::new());
-        command = command.arg(page.exclusive(true));
+        let others = [
+            "size",
+            "camera",
+            "set",
+            "samples",
+            "pixel",
+            "outside",
+            "compare",
+            "show",
+            "range",
+            "curve",
+            "what-if",
+            "divide",
+            "difference",
+            "output",
+            "step",
+            "stop",
+            "check-tour",
+            "code",
+        ];
+        command = command.arg(page.conflicts_with_all(others));
     }
     command
         .arg(file("output").short('o').value_parser(png))
@@ -119,6 +146,7 @@ pub(super) fn command(suite: &Suite) -> Command {
                 .requires("pixel"),
         )
         .arg(option("what-if", "LINE=V").action(ArgAction::Append))
+        .arg(Arg::new("code").long("code").action(ArgAction::SetTrue))
         .arg(option("samples", "N").value_parser(samples))
         .arg(option("pixel", "X,Y").value_parser(pixel))
         .arg(

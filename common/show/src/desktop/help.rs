@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::arguments::MAX_SAMPLES;
 use super::suite::Suite;
+use crate::Frame;
 use crate::Setting;
 use crate::Setup;
 use crate::keys;
@@ -12,13 +12,17 @@ use crate::translated;
 use common::View;
 
 pub(super) fn help(suite: &Suite) -> String {
-    let Suite { name, concept, programs, page, exercises } = suite;
+    let Suite { name, concept, programs, page, exercises, .. } = suite;
     let (size, last) = (programs[0].size, programs.len());
     let mut lecture = String::new();
     if last > 1 {
         lecture = text!(
             "
-      --step N            begin with that step (1; at most {last})
+      --step N            begin with that step (1; at most {last}), not with the class's first stop
+      --stop N            begin at that stop of the class
+      --tour FILE         a class of your own in place of the lecture's, in the same Markdown
+      --check-tour        which stops show nothing, or what the one before shows; exit 1 if any do
+      --still             nothing glides from one stop to the next
       --divide PART       the step before left of PART of the width, such as 0.5
       --difference        how far each pixel is from the step before's, times 8",
             last
@@ -27,7 +31,8 @@ pub(super) fn help(suite: &Suite) -> String {
     if page.is_some() {
         lecture += text!(
             "
-      --page FILE         write all steps as one web page, to be opened by a double click"
+      --page FILE         write all steps as one web page, to be opened by a double click; with
+                          --tour, for that class"
         );
     }
     let check = match exercises {
@@ -77,7 +82,7 @@ Controls (default):
         concept = translated(concept),
         size,
         cameras = View::PROJECTIONS.join(" | "),
-        most = MAX_SAMPLES,
+        most = Frame::MAX_SAMPLES,
         check,
         lecture
     );

@@ -1,7 +1,7 @@
 //! A step's own law, with the numbers of a pixel below its symbols.
 
 use super::Boxed;
-use super::Kind;
+use super::Letters;
 use super::Math;
 use super::boxes::Style;
 use super::latex;
@@ -44,8 +44,8 @@ pub fn laws(handout: &str) -> Vec<&str> {
 }
 
 /// How the symbol of a line is meant.
-fn kind(line: &Line) -> Kind {
-    if matches!(line.value, Value::Vector(_)) { Kind::Vector } else { Kind::Scalar }
+fn kind(line: &Line) -> Letters {
+    if matches!(line.value, Value::Vector(_)) { Letters::Vector } else { Letters::Scalar }
 }
 
 /// What a line gives a value to.
@@ -137,7 +137,7 @@ impl Law {
             }
         }
         if let Some(light) = self.light {
-            let words = plain(&format!("i: {}", translated(light)), Kind::Scalar);
+            let words = plain(&format!("i: {}", translated(light)), Letters::Scalar);
             let line = Boxed::inline(&words, 0.7 * style.size);
             // In the corner, if there is room beside the first line.
             let corner = (width - line.width, first.1);

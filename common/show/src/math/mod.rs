@@ -18,7 +18,7 @@ pub use law::laws;
 pub(crate) use law::symbol;
 pub use law::typeset;
 pub use markup::mathml;
-pub use read::Kind;
+pub use read::Letters;
 pub use read::latex;
 pub use read::plain;
 pub use symbols::Symbols;

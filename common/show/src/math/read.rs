@@ -5,7 +5,7 @@ use canvas::MathFont;
 
 /// What a text stands for, which says how its own letter is set: p may be a point or an exponent.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
-pub enum Kind {
+pub enum Letters {
     /// A number, or light.
     Scalar,
     /// A point or a direction.
@@ -48,7 +48,7 @@ const NAMES: [(&str, char); 19] = [
 ];
 
 /// What is told, as `kind` is meant.
-pub fn plain(text: &str, kind: Kind) -> Math {
+pub fn plain(text: &str, kind: Letters) -> Math {
     let mut left = text.split('=').next().unwrap_or(text).trim();
     // The name of one of a point's numbers.
     left = left.split_once('.').map_or(left, |(point, _)| point);
@@ -67,7 +67,7 @@ pub fn latex(text: &str) -> Math {
         corners: false,
         picture: false,
         left: "",
-        kind: Kind::Scalar,
+        kind: Letters::Scalar,
         script: false,
     };
     Math::Row(reader.row(None))
@@ -98,7 +98,7 @@ struct Reader<'a> {
     picture: bool,
     /// The name before the =, and what it stands for.
     left: &'a str,
-    kind: Kind,
+    kind: Letters,
     /// Within an index or an exponent.
     script: bool,
 }
@@ -271,7 +271,7 @@ impl Reader<'_> {
     }
 
     fn is_vector(&self, name: &str) -> bool {
-        let own = || self.kind == Kind::Vector;
+        let own = || self.kind == Letters::Vector;
         match name {
             _ if self.script && name.chars().count() == 1 => false,
             // Else it is a length, as in r².

@@ -9,7 +9,7 @@ use crate::Boxed;
 use crate::Canvas;
 use crate::Font;
 use crate::Ink;
-use crate::Kind;
+use crate::Letters;
 use crate::plain;
 use crate::text;
 use crate::translated;
@@ -40,22 +40,40 @@ impl Legend<'_> {
     /// How high it is, in ems.
     pub const HEIGHT: f32 = 4.2;
 
+    /// Whose the line is, and in what it is measured.
+    fn around(&self) -> (String, &'static str) {
+        let about = match self.quantity.line.of.as_str() {
+            "" => String::new(),
+            of => format!("{}: ", translated(of)),
+        };
+        let unit = match self.quantity.map() {
+            Map::Distances(_) => text!(" · distance from the eye"),
+            _ => "",
+        };
+        (about, unit)
+    }
+
+    /// It in words, for who does not see it.
+    pub fn words(&self) -> String {
+        let (about, unit) = self.around();
+        let title = format!("{about}{}{unit}", translated(&self.quantity.line.equation));
+        match self.quantity.map().scale() {
+            Some(Scale { low, high, .. }) => {
+                text!("{title}, from {low} to {high}", title, low, high)
+            }
+            None => title,
+        }
+    }
+
     /// Draws it in `area`, with text of this size: the line's name, then its colours with what they
     /// stand for, and the pinned pixel's value marked.
     pub fn draw(&self, canvas: &mut Canvas<'_>, area: Area, em: f32) {
         let (line, map) = (&self.quantity.line, self.quantity.map());
-        let about = match line.of.as_str() {
-            "" => String::new(),
-            of => format!("{}: ", translated(of)),
-        };
-        let unit = match map {
-            Map::Distances(_) => text!(" · distance from the eye"),
-            _ => "",
-        };
+        let (about, unit) = self.around();
         let kind = if matches!(map, Map::Directions | Map::Distances(_)) {
-            Kind::Vector
+            Letters::Vector
         } else {
-            Kind::Scalar
+            Letters::Scalar
         };
         let not_told = text!("not told");
         let note = Font::width(em, not_told) + 1.6 * em;

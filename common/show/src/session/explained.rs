@@ -3,6 +3,7 @@
 use super::row::ACCENT;
 use super::row::Fold;
 use super::row::Row;
+use crate::Letters;
 use crate::Math;
 use crate::Program;
 use crate::WhatIf;
@@ -84,13 +85,6 @@ impl Told<'_> {
             (None, Some(program)) => program.explains(line),
             (None, None) => false,
         }
-    }
-
-    fn is_altered(&self, line: &LineName) -> bool {
-        self.what_ifs.iter().any(|WhatIf { answer, .. }| {
-            answer.line.equation == line.equation
-                && ["", &line.of].contains(&answer.line.of.as_str())
-        })
     }
 
     fn has_new(&self, section: &str, scope: &Scope) -> bool {
@@ -191,7 +185,7 @@ impl Told<'_> {
             ink: is_shown.then_some(ACCENT),
             values: rounded(&line.value),
             new: self.is_new(section, line),
-            altered: name.as_ref().is_some_and(|name| self.is_altered(name)),
+            altered: name.as_ref().is_some_and(|name| is_altered(self.what_ifs, name)),
             name,
         }
     }
@@ -202,7 +196,7 @@ fn heading(fold: Fold, text: String, value: Option<Math>, open: bool, new: bool)
 }
 
 fn plain_word(text: &str) -> Math {
-    plain(text, crate::Kind::Scalar)
+    plain(text, Letters::Scalar)
 }
 
 /// What lines come to, in short.
@@ -232,4 +226,11 @@ fn counted<'a>(names: impl Iterator<Item = &'a str>) -> String {
         count => format!("{count} × {}", same[0]),
     };
     names.chunk_by(|one, other| one == other).map(count).collect::<Vec<_>>().join(", ")
+}
+
+/// Whether the line is answered otherwise.
+pub(super) fn is_altered(what_ifs: &[WhatIf], line: &LineName) -> bool {
+    what_ifs.iter().any(|WhatIf { answer, .. }| {
+        answer.line.equation == line.equation && ["", &line.of].contains(&answer.line.of.as_str())
+    })
 }

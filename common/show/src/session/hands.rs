@@ -47,16 +47,20 @@ impl Session {
     pub(super) fn press(&mut self, at: (f32, f32)) {
         self.note = None;
         self.ask(Effect::Repaint);
+        self.held = Held::Panel;
+        if self.desk.is_blank() {
+            return self.act(Act::Blank);
+        }
         let layout = self.layout();
         if layout.picture.contains(at) {
             self.held = self.take_hold(at, &layout);
             return;
         }
-        self.held = Held::Panel;
         if let Some((target, on_slider)) = self.reading_panel().and_then(|panel| panel.target(at)) {
             match (target, on_slider) {
                 (Target::Fold(fold), false) => self.toggle(fold),
                 (Target::Line(line), _) => self.act(Act::Show(line)),
+                (Target::Listed(place), _) => self.do_act(Act::Listed(place)),
                 _ => {}
             }
             return;

@@ -20,6 +20,7 @@ use crate::Compare;
 use crate::Font;
 use crate::Ink;
 use crate::Program;
+use crate::Reading;
 use crate::count_off;
 use crate::over::draw_marks;
 use crate::text;
@@ -32,9 +33,14 @@ impl Session {
         self.desk.language().speak();
         let layout = self.layout();
         let mut canvas = Canvas::new(window);
+        if self.desk.is_blank() {
+            return canvas.fill(canvas.area(), Ink::BLACK);
+        }
         canvas.fill(canvas.area(), BACKGROUND);
         let differing = self.paint_pictures(&mut canvas, &layout, pictures);
-        self.paint_marks(&mut canvas, layout.picture, layout.em.clamp(11.0, 40.0));
+        if !self.desk.is_gliding() {
+            self.paint_marks(&mut canvas, layout.picture, layout.em.clamp(11.0, 40.0));
+        }
         if let (Some(area), Some(legend)) = (layout.legend, self.desk.legend()) {
             legend.draw(&mut canvas, area.inset(0.4 * layout.em), 0.9 * layout.em);
         }
@@ -55,7 +61,10 @@ impl Session {
                     law.draw(&mut canvas, (at.left, at.top + law.above), TEXT, false);
                 }
                 if let Some(panel) = self.reading_panel() {
-                    let chosen = self.desk.line().map(|line| Target::Line(line.clone()));
+                    let chosen = match self.desk.reading() {
+                        Reading::Stops => Some(Target::Listed(self.desk.picked())),
+                        _ => self.desk.line().map(|line| Target::Line(line.clone())),
+                    };
                     panel.draw(&mut canvas, chosen.as_ref());
                 }
                 if let Some(panel) = self.controls() {
@@ -65,11 +74,15 @@ impl Session {
                 self.paint_caption(&mut canvas, &layout, beside.caption, said, status);
             }
             None => {
-                let said: Vec<String> = altered.into_iter().chain(said).collect();
-                if !said.is_empty() {
+                let said: Vec<String> = altered.into_iter().chain(said.clone()).collect();
+                if !said.is_empty() && layout.stop.is_none() {
                     paint_over(&mut canvas, layout.em, &said.join("   "), TEXT);
                 }
             }
+        }
+        if let Some(area) = layout.stop {
+            let said = said.filter(|_| layout.beside.is_none());
+            self.paint_stop(&mut canvas, area, layout.em, said.as_deref());
         }
         if let Some(notice) = &self.notice {
             paint_over(&mut canvas.clipped(layout.picture), layout.em, notice, ALTERED);

@@ -92,7 +92,7 @@ impl Panel {
 
     /// How far it has to be scrolled, in ems, for the row with this target to be seen.
     pub(super) fn scroll_to(&self, target: &Target) -> f32 {
-        let row = self.rows.iter().position(|row| row.target() == *target);
+        let row = self.rows.iter().position(|row| row.has(target));
         let Some(place) = row.map(|row| self.places[row]) else {
             return self.scroll();
         };
@@ -103,7 +103,7 @@ impl Panel {
     /// How far it has to be scrolled, in ems, for something new to be seen: not at all where there
     /// is none, or where some can be seen as it is.
     pub(super) fn scroll_to_new(&self) -> f32 {
-        let rows = self.places.iter().zip(&self.rows).filter(|(_, row)| row.is_new());
+        let rows = self.places.iter().zip(&self.rows).filter(|(_, row)| row.is_first_new());
         let mut new = rows.map(|(place, _)| place);
         let height = self.inner().height;
         match new.next() {
@@ -160,7 +160,7 @@ impl Panel {
             if area.bottom() < self.area.top || area.top > self.area.bottom() {
                 continue;
             }
-            let chosen = selected.is_some_and(|selected| *selected == self.rows[row].target());
+            let chosen = selected.is_some_and(|selected| self.rows[row].has(selected));
             let marks = [(self.rows[row].is_new(), NEW, ADDED), (chosen, CHOSEN, ACCENT)];
             for (_, behind, beside) in marks.into_iter().filter(|(marked, ..)| *marked) {
                 let margin = MARGIN * self.em;

@@ -1,12 +1,13 @@
 //! A row of a panel: how high it is, and how it is drawn.
 
+use super::code::CodeRow;
 use crate::Anchor;
 use crate::Area;
 use crate::Boxed;
 use crate::Canvas;
 use crate::Font;
 use crate::Ink;
-use crate::Kind;
+use crate::Letters;
 use crate::Math;
 use crate::Setting;
 use crate::plain;
@@ -22,6 +23,8 @@ pub(super) const ACCENT: Ink = Ink::new(255, 208, 64);
 pub(super) const ALTERED: Ink = Ink::new(255, 150, 70);
 /// What a step adds: to its code, and to what is told of a pixel.
 pub(super) const ADDED: Ink = Ink::new(150, 225, 150);
+/// What it takes away.
+pub(super) const REMOVED: Ink = Ink::new(255, 160, 150);
 pub(super) const NEW: Ink = Ink::new(30, 50, 42);
 pub(super) const CHOSEN: Ink = Ink::new(43, 49, 61);
 pub(super) const GROOVE: Ink = Ink::new(66, 74, 90);
@@ -56,6 +59,8 @@ pub(super) enum Fold {
     Missed(&'static str),
     /// What is told of one thing within it, counted from 0: several may have the same name.
     Scope(&'static str, usize),
+    /// The rest of a file's code.
+    File(&'static str),
 }
 
 /// What a row acts on.
@@ -65,10 +70,12 @@ pub(super) enum Target {
     Control(String),
     Fold(Fold),
     Line(LineName),
+    /// A place in the list of stops and figures.
+    Listed(usize),
 }
 
 /// A row of a panel.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(super) enum Row {
     /// What stands over rows that can be folded; new if there is something new below it.
     Heading { fold: Fold, text: String, value: Option<Math>, open: bool, new: bool },
@@ -89,6 +96,10 @@ pub(super) enum Row {
     Pixel { text: String, rgb: [u8; 3] },
     /// A key and what it does.
     Key(&'static str, &'static str),
+    /// What can be gone to, and its place in the list.
+    Listed(String, usize),
+    /// A line of code.
+    Code(CodeRow),
     /// An equation that stands alone.
     Equation(Math),
     /// A paragraph, indented as far as it begins with spaces, behind its `+` or `-` too.
@@ -102,12 +113,31 @@ impl Row {
             Self::Heading { fold, .. } => Target::Fold(*fold),
             Self::Control(setting) => Target::Control(setting.name.clone()),
             Self::Line { name: Some(name), .. } => Target::Line(name.clone()),
+            Self::Listed(_, place) => Target::Listed(*place),
+            Self::Code(code) => code.name().cloned().map_or(Target::Nothing, Target::Line),
             _ => Target::Nothing,
         }
     }
 
+    /// Whether it acts on `target`, or is code that does.
+    pub(super) fn has(&self, target: &Target) -> bool {
+        match (self, target) {
+            (Self::Code(code), Target::Line(line)) => code.tells(line),
+            _ => self.target() == *target,
+        }
+    }
+
     pub(super) fn is_new(&self) -> bool {
-        matches!(self, Self::Heading { new: true, .. } | Self::Line { new: true, .. })
+        match self {
+            Self::Heading { new, .. } | Self::Line { new, .. } => *new,
+            Self::Code(code) => code.is_new(),
+            _ => false,
+        }
+    }
+
+    /// Whether it is new, and to be read first.
+    pub(super) fn is_first_new(&self) -> bool {
+        self.is_new() && !matches!(self, Self::Heading { fold: Fold::File(_), .. })
     }
 
     /// Whether two of them may share a row.
@@ -123,8 +153,11 @@ impl Row {
     pub(super) fn height(&self, em: f32, width: f32) -> f32 {
         let lines = |count: usize| LINE * em * count as f32;
         match self {
-            Self::Heading { fold: Fold::Section(_) | Fold::Controls(_), .. } => HIGH * em,
+            Self::Heading {
+                fold: Fold::Section(_) | Fold::Controls(_) | Fold::File(_), ..
+            } => HIGH * em,
             Self::Heading { .. } => 1.35 * em,
+            Self::Code(code) => code.height(em, width),
             Self::Control(_) | Self::Pixel { .. } => HIGH * em,
             Self::Line { equation, values, .. } => {
                 Columns::new(equation, values, em, width).height(em)
@@ -134,6 +167,7 @@ impl Row {
                 let effect = Font::wrap(em, effect, width - INDENT * em).len();
                 lines(Font::wrap(em, key, width).len() + effect) + 0.2 * em
             }
+            Self::Listed(text, _) => lines(Font::wrap(em, text, width).len()) + 0.3 * em,
             Self::Text(text, _) => {
                 let (_, indent, text) = indented(text, em);
                 lines(Font::wrap(em, text, width - indent).len())
@@ -150,7 +184,7 @@ impl Row {
                 let ink = match fold {
                     Fold::Section(_) | Fold::Controls(_) => ACCENT,
                     Fold::Scope(..) => TEXT,
-                    Fold::Old(..) | Fold::Missed(_) => FAINT,
+                    Fold::Old(..) | Fold::Missed(_) | Fold::File(_) => FAINT,
                 };
                 draw_fold(canvas, (area.left + 0.3 * em, middle.1), 0.28 * em, *open, ink);
                 let width = area.width - INDENT * em;
@@ -165,7 +199,8 @@ impl Row {
             Self::Control(setting) => {
                 let slider = slider(area, em);
                 let name = slider.left - area.left - 0.5 * em;
-                let kind = if setting.control.axis.is_some() { Kind::Vector } else { Kind::Scalar };
+                let kind =
+                    if setting.control.axis.is_some() { Letters::Vector } else { Letters::Scalar };
                 let symbol = Boxed::within(&plain(&setting.control.name, kind), em, name);
                 symbol.draw(canvas, (middle.0, middle.1 + 0.3 * em), TEXT, true);
                 let ink = if setting.changed { ACCENT } else { TEXT };
@@ -199,6 +234,10 @@ impl Row {
                 let inset = Area { width: area.width - INDENT * em, ..inset };
                 draw_text(canvas, inset, em, TEXT, effect);
             }
+            Self::Listed(text, _) => {
+                draw_text(canvas, Area { top: area.top + 0.15 * em, ..area }, em, TEXT, text);
+            }
+            Self::Code(code) => code.draw(canvas, area, em),
             Self::Text(text, ink) => {
                 let (sign, indent, text) = indented(text, em);
                 canvas.text(area.at(Anchor::TopLeft), Anchor::TopLeft, em, *ink, sign);

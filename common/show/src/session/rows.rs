@@ -1,11 +1,13 @@
 //! The rows of the panels beside the picture.
 
 use super::Session;
+use super::code::CodeRow;
+use super::code::Note;
 use super::explained::Told;
+use super::explained::is_altered;
+use super::layout::Layout;
 use super::layout::split;
 use super::panel::Panel;
-use super::row::ACCENT;
-use super::row::ADDED;
 use super::row::FAINT;
 use super::row::Fold;
 use super::row::MARGIN;
@@ -13,18 +15,25 @@ use super::row::Row;
 use super::row::TEXT;
 use crate::Area;
 use crate::Boxed;
+use crate::Change;
+use crate::CodeLine;
+use crate::CodePart;
 use crate::Group;
-use crate::Ink;
+use crate::Letters;
 use crate::Reading;
+use crate::code::file_name;
 use crate::desk::table;
 use crate::latex;
+use crate::plain;
+use crate::short;
+use crate::text;
 use crate::translated;
+use crate::typeset;
+use common::Line;
+use common::LineName;
 
 /// How much of what is read of a pixel its law may be.
 const LAW: f32 = 0.45;
-
-/// What a diff takes away.
-const REMOVED: Ink = Ink::new(255, 160, 150);
 
 impl Session {
     /// The controls; none while the picture is alone.
@@ -41,7 +50,11 @@ impl Session {
         if let Some((_, above)) = self.law() {
             area = split(area, above.height).1;
         }
-        Some(Panel::new(area, layout.em, self.reading_rows(), self.reading_scroll))
+        let em = match self.desk.reading() {
+            Reading::Code => Layout::CODE * layout.em,
+            _ => layout.em,
+        };
+        Some(Panel::new(area, em, self.reading_rows(), self.reading_scroll))
     }
 
     /// The law with the pinned pixel's numbers, and where it stands: on top of what is read of the pixel.
@@ -89,11 +102,15 @@ impl Session {
                 .rows()
             }),
             Reading::Keys => {
-                let several = self.desk.programs().len() > 1;
+                let several = self.desk.steps() > 1;
                 let rows = table().into_iter().filter(|row| several || !row.lecture);
                 rows.map(|row| row.listed()).map(|(keys, effect)| Row::Key(keys, effect)).collect()
             }
-            Reading::Diff => diff_rows(self.desk.program().diff),
+            Reading::Stops => {
+                let listed = self.desk.listed().into_iter().enumerate();
+                listed.map(|(place, text)| Row::Listed(text, place)).collect()
+            }
+            Reading::Code => self.code_rows(),
             Reading::Idea => {
                 let lines = self.desk.program().told().1.lines();
                 let row = |line: &str| match line.strip_prefix("  ") {
@@ -106,32 +123,52 @@ impl Session {
     }
 }
 
-/// A diff as it is read: of what stands before a file's lines its name is enough, and what all
-/// lines in a place are indented by is left away.
-fn diff_rows(diff: &str) -> Vec<Row> {
-    let is_read = |line: &&str| !line.starts_with("diff ") && !line.starts_with("--- ");
-    let lines: Vec<&str> = diff.lines().filter(is_read).collect();
-    let is_code = |line: &str| line.starts_with(['+', '-', ' ']) && !line.starts_with("+++ ");
-    let mut rows = Vec::new();
-    for part in lines.chunk_by(|line, next| is_code(line) == is_code(next)) {
-        let inner = part.iter().filter_map(|line| line.get(1..)).filter(|line| !line.is_empty());
-        let spaces = inner.map(|line| line.len() - line.trim_start().len()).min().unwrap_or(0);
-        for line in part {
-            rows.push(match (line.strip_prefix("+++ b/"), line.split_at_checked(1)) {
-                (Some(file), _) => Row::Text(file.to_owned(), ACCENT),
-                (None, Some(("@", _))) => Row::Text("…".to_owned(), FAINT),
-                (None, Some((sign, code))) => {
-                    let ink = match sign {
-                        "+" => ADDED,
-                        "-" => REMOVED,
-                        _ => FAINT,
-                    };
-                    let code = code.get(spaces..).unwrap_or_default();
-                    Row::Text(format!("{sign}{code}"), ink)
+impl Session {
+    /// The step's code as it is read: what is the same as in the step before, and does not run, last.
+    fn code_rows(&self) -> Vec<Row> {
+        let is_whole = self.desk.is_whole();
+        let (mut rows, mut rest) = (Vec::new(), Vec::new());
+        for CodePart { path, is_rest, lines } in self.desk.code() {
+            let count = lines.iter().filter(|line| line.change == Change::New).count();
+            let same = lines.iter().all(|line| line.change == Change::Same);
+            let file = if is_whole { path } else { file_name(path) };
+            let files = std::iter::once(Some(file)).chain(std::iter::repeat(None));
+            let lines = lines.into_iter().zip(files).map(|(line, file)| self.code_row(line, file));
+            match (is_rest, same) {
+                (true, true) => rest.extend(lines),
+                (true, false) => {
+                    let open = self.fold_file(&mut rows, file_name(path), count);
+                    rows.extend(lines.filter(|_| open));
                 }
-                (None, None) => Row::Text(String::new(), FAINT),
-            });
+                (false, _) => {
+                    rows.extend(lines);
+                    rows.push(Row::Text(String::new(), FAINT));
+                }
+            }
         }
+        if !rest.is_empty() && self.fold_file(&mut rows, text!("all the rest"), 0) {
+            rows.append(&mut rest);
+        }
+        rows
     }
-    rows
+
+    /// Adds the heading of code that is read last, with how many new lines it has; whether it is open.
+    fn fold_file(&self, rows: &mut Vec<Row>, name: &'static str, new: usize) -> bool {
+        let (fold, text) = (Fold::File(name), name.to_owned());
+        let value = (new > 0).then(|| plain(&format!("+{new}"), Letters::Scalar));
+        let open = self.is_open(fold, false);
+        rows.push(Row::Heading { fold, text, value, open, new: new > 0 });
+        open
+    }
+
+    fn code_row(&self, line: CodeLine, file: Option<&'static str>) -> Row {
+        let note = |(line, name): &(Line, Option<LineName>)| Note {
+            equation: typeset(line),
+            value: short(&line.value),
+            altered: name.as_ref().is_some_and(|name| is_altered(self.desk.what_ifs(), name)),
+            name: name.clone(),
+        };
+        let notes = line.told.iter().map(note).collect();
+        Row::Code(CodeRow { line, numbered: self.desk.is_whole(), file, notes })
+    }
 }

@@ -1,0 +1,255 @@
+//! A row of code: how it is wrapped, and drawn with its numbers.
+
+use std::ops::Range;
+
+use super::row::ACCENT;
+use super::row::ALTERED;
+use super::row::FAINT;
+use super::row::LINE;
+use super::row::REMOVED;
+use super::row::TEXT;
+use crate::Anchor;
+use crate::Area;
+use crate::Boxed;
+use crate::Canvas;
+use crate::Change;
+use crate::CodeFont;
+use crate::CodeKind;
+use crate::CodeLine;
+use crate::Font;
+use crate::Ink;
+use crate::Math;
+use common::LineName;
+
+const COMMENT: Ink = Ink::new(134, 150, 172);
+const QUOTED: Ink = Ink::new(214, 178, 138);
+const KEYWORD: Ink = Ink::new(150, 184, 240);
+/// What did not run.
+const IDLE: Ink = Ink::new(96, 104, 120);
+
+/// So many letters a line that goes on is indented by, and a line's number takes.
+const HANGING: usize = 4;
+const NUMBER: usize = 5;
+
+/// A line of code with what stands beside it.
+#[derive(Clone, Debug)]
+pub(super) struct CodeRow {
+    pub(super) line: CodeLine,
+    /// Its number is to be seen.
+    pub(super) numbered: bool,
+    /// The file, where its first line stands.
+    pub(super) file: Option<&'static str>,
+    pub(super) notes: Vec<Note>,
+}
+
+/// An equation and its numbers.
+#[derive(Clone, Debug)]
+pub(super) struct Note {
+    pub(super) equation: Math,
+    pub(super) value: String,
+    pub(super) name: Option<LineName>,
+    pub(super) altered: bool,
+}
+
+/// A row on the screen: how far it is indented, in letters, and which bytes stand there.
+type Piece = (usize, Range<usize>);
+
+/// Where something stands at the right: below the code, or beside its last piece.
+struct Placed {
+    pieces: Vec<Piece>,
+    /// The row of each note.
+    notes: Vec<usize>,
+    rows: usize,
+}
+
+impl CodeRow {
+    /// The name of the line told there that is the one `chosen`, or the first one's.
+    pub(super) fn name(&self) -> Option<&LineName> {
+        self.notes.iter().find_map(|note| note.name.as_ref())
+    }
+
+    /// Whether the line is told there.
+    pub(super) fn tells(&self, line: &LineName) -> bool {
+        let mut names = self.notes.iter().filter_map(|note| note.name.as_ref());
+        names.any(|name| {
+            let same = name.of == line.of || name.of.is_empty() || line.of.is_empty();
+            same && name.equation == line.equation
+        })
+    }
+
+    pub(super) fn is_new(&self) -> bool {
+        self.line.change == Change::New
+    }
+
+    pub(super) fn height(&self, em: f32, width: f32) -> f32 {
+        LINE * em * self.placed(em, width).rows as f32
+    }
+
+    /// How wide the number before the code is.
+    fn gutter(&self, em: f32) -> f32 {
+        if self.numbered { CodeFont::width(em, "0") * NUMBER as f32 } else { 0.0 }
+    }
+
+    fn placed(&self, em: f32, width: f32) -> Placed {
+        let letter = CodeFont::width(em, "0");
+        let code = width - self.gutter(em);
+        let pieces = wrapped(&self.line, ((code / letter) as usize).max(2 * HANGING));
+        let last = pieces.last().map_or(0.0, |(indent, bytes)| {
+            let text = &self.line.text[bytes.clone()];
+            *indent as f32 * letter + CodeFont::width(em, text)
+        });
+        let widths = self.noted(em);
+        let mut notes = Vec::new();
+        // The row on which there is room from the right, and how much.
+        let (mut row, mut room) = (pieces.len() - 1, code - last - letter);
+        for note in widths {
+            if note > room {
+                (row, room) = (row + 1, code);
+            }
+            notes.push(row);
+            room -= note + letter;
+        }
+        let rows = (row + 1).max(pieces.len());
+        Placed { pieces, notes, rows }
+    }
+
+    /// How wide each note is, that of the file first.
+    fn noted(&self, em: f32) -> Vec<f32> {
+        let file = self.file.map(|file| Font::width(em, file));
+        let notes = self.notes.iter().map(|note| note.width(em));
+        file.into_iter().chain(notes).collect()
+    }
+
+    pub(super) fn draw(&self, canvas: &mut Canvas<'_>, area: Area, em: f32) {
+        let Placed { pieces, notes, .. } = self.placed(em, area.width);
+        let letter = CodeFont::width(em, "0");
+        let left = area.left + self.gutter(em);
+        let top = |row: usize| area.top + LINE * em * row as f32;
+        if self.numbered && self.line.change != Change::Gone {
+            let number = format!("{:>4}", self.line.number);
+            canvas.code((area.left, area.top), em, FAINT, &number);
+        }
+        for (row, (indent, bytes)) in pieces.iter().enumerate() {
+            let at = (left + *indent as f32 * letter, top(row));
+            self.draw_piece(canvas, at, em, bytes.clone());
+        }
+        // The last one of a row ends at the right.
+        let (mut row, mut right) = (usize::MAX, area.right());
+        let placed = notes.into_iter().zip(self.noted(em)).enumerate();
+        for (place, (on, width)) in placed.collect::<Vec<_>>().into_iter().rev() {
+            if on != row {
+                (row, right) = (on, area.right());
+            }
+            let at = (right, top(row));
+            right -= width + letter;
+            match (self.file, place.checked_sub(usize::from(self.file.is_some()))) {
+                (_, Some(note)) => self.notes[note].draw(canvas, at, em, self.line.is_idle),
+                (Some(file), None) => canvas.text(at, Anchor::TopRight, em, ACCENT, file),
+                (None, None) => {}
+            }
+        }
+    }
+
+    fn draw_piece(&self, canvas: &mut Canvas<'_>, at: (f32, f32), em: f32, bytes: Range<usize>) {
+        let text = &self.line.text;
+        let x = |byte: usize| at.0 + CodeFont::width(em, &text[bytes.start..byte]);
+        for (part, kind) in &self.line.kinds {
+            let part = part.start.max(bytes.start)..part.end.min(bytes.end);
+            if part.start < part.end {
+                let at = (x(part.start), at.1);
+                canvas.code(at, em, self.ink(*kind), &text[part]);
+            }
+        }
+        if self.line.change == Change::Gone {
+            let middle = at.1 + 0.62 * em;
+            let height = (0.07 * em).max(1.0);
+            canvas.fill(Area::new(at.0, middle, x(bytes.end) - at.0, height), REMOVED);
+        }
+    }
+
+    fn ink(&self, kind: CodeKind) -> Ink {
+        match kind {
+            _ if self.line.change == Change::Gone => REMOVED,
+            _ if self.line.is_idle => IDLE,
+            CodeKind::Comment => COMMENT,
+            CodeKind::Text => QUOTED,
+            CodeKind::Keyword => KEYWORD,
+            CodeKind::Word | CodeKind::Sign => TEXT,
+        }
+    }
+}
+
+impl Note {
+    /// On one line of text, whatever fractions it has.
+    fn set(&self, em: f32) -> Boxed {
+        let set = Boxed::inline(&self.equation, em);
+        let part = LINE * em / set.height();
+        if part >= 1.0 { set } else { Boxed::inline(&self.equation, part * em) }
+    }
+
+    fn width(&self, em: f32) -> f32 {
+        self.set(em).width + 0.6 * em + Font::width(em, &self.value)
+    }
+
+    fn draw(&self, canvas: &mut Canvas<'_>, at: (f32, f32), em: f32, is_idle: bool) {
+        let number = match (self.altered, is_idle) {
+            (true, _) => ALTERED,
+            (false, true) => IDLE,
+            (false, false) => TEXT,
+        };
+        canvas.text(at, Anchor::TopRight, em, number, &self.value);
+        let set = self.set(em);
+        let left = at.0 - 0.6 * em - Font::width(em, &self.value) - set.width;
+        set.draw(canvas, (left, at.1 + 0.93 * em), number, is_idle);
+    }
+}
+
+/// A line in pieces of at most so many letters, broken between its parts.
+fn wrapped(line: &CodeLine, columns: usize) -> Vec<Piece> {
+    let text = line.text.as_str();
+    let indent = text.len() - text.trim_start().len();
+    let letters = |bytes: Range<usize>| text[bytes].chars().count();
+    let mut pieces = Vec::new();
+    let (mut start, mut left, mut end) = (indent, indent.min(columns / 2), indent);
+    for part in parts(line) {
+        if left + letters(start..part.end) > columns && start < part.start {
+            pieces.push((left, start..end));
+            start = part.start;
+            left = (indent + HANGING).min(columns / 2);
+        }
+        end = part.end;
+    }
+    pieces.push((left, start..end.max(start)));
+    pieces
+}
+
+/// What is not to be broken: the parts of the code, the words of a comment, and what follows without a
+/// space and begins nothing.
+fn parts(line: &CodeLine) -> Vec<Range<usize>> {
+    let mut parts: Vec<Range<usize>> = Vec::new();
+    for (bytes, kind) in &line.kinds {
+        if *kind == CodeKind::Comment {
+            let mut at = bytes.start;
+            for word in line.text[bytes.clone()].split_inclusive(' ') {
+                parts.push(at..at + word.trim_end().len());
+                at += word.len();
+            }
+            continue;
+        }
+        let text = &line.text[bytes.clone()];
+        let closes = [",", ";", ")", "]", "}", "?", ":", "(", ">"].contains(&text);
+        match parts.last_mut() {
+            Some(last) if closes && last.end == bytes.start => last.end = bytes.end,
+            // A method stays behind its point, a name behind its colons and its reference.
+            Some(last)
+                if last.end == bytes.start
+                    && line.text[last.clone()]
+                        .ends_with(['.', ':', '&', '!', '-', '\'', '#', '[']) =>
+            {
+                last.end = bytes.end;
+            }
+            _ => parts.push(bytes.clone()),
+        }
+    }
+    parts
+}
