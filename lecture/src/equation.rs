@@ -2,7 +2,7 @@
 
 use common::Pixel;
 use common::Value;
-use show::Kind;
+use show::Letters;
 use show::latex;
 use show::law_name;
 use show::mathml;
@@ -35,8 +35,8 @@ pub(crate) fn told(name: &str) -> Vec<Told> {
         let pixel = Pixel { col: place % width, row: place / width, width, height };
         for line in step.explain(&*camera, pixel).lines() {
             let (kind, is_tall) = match line.value {
-                Value::Number(_) => (Kind::Scalar, false),
-                Value::Vector(_) => (Kind::Vector, true),
+                Value::Number(_) => (Letters::Scalar, false),
+                Value::Vector(_) => (Letters::Vector, true),
                 Value::Word(_) => continue,
             };
             let (symbol, key) = (line.symbol(), plain(line.symbol(), kind).key());
