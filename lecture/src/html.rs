@@ -38,7 +38,7 @@ const TARGET: &str = "wasm32-unknown-unknown";
 const FLAGS: &str = "-Ctarget-feature=+simd128";
 
 /// What equations are set in, as no phone has a font for them.
-const FONT: &[u8] = include_bytes!("../../common/canvas/fonts/stix-two-math.woff2");
+const FONT: &[u8] = include_bytes!("../../common/canvas/font/StixTwoMath.woff2");
 
 /// What the page runs.
 const SCRIPT: &str = concat!(
