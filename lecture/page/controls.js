@@ -55,7 +55,7 @@ class Controls {
     const output = element("output", {});
     output.htmlFor = id;
     const row = element("div", { className: "control", id: `${this.prefix}control-${name}` });
-    row.append(element("label", { htmlFor: id }, ...symbol(label)), input, output, reset);
+    row.append(element("label", { htmlFor: id, innerHTML: label }), input, output, reset);
     return row;
   }
 

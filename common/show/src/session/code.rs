@@ -183,8 +183,15 @@ impl CodeRow {
 }
 
 impl Note {
+    /// On one line of text, whatever fractions it has.
+    fn set(&self, em: f32) -> Boxed {
+        let set = Boxed::inline(&self.equation, em);
+        let part = LINE * em / set.height();
+        if part >= 1.0 { set } else { Boxed::inline(&self.equation, part * em) }
+    }
+
     fn width(&self, em: f32) -> f32 {
-        Boxed::inline(&self.equation, em).width + 0.6 * em + Font::width(em, &self.value)
+        self.set(em).width + 0.6 * em + Font::width(em, &self.value)
     }
 
     fn draw(&self, canvas: &mut Canvas<'_>, at: (f32, f32), em: f32, is_idle: bool) {
@@ -194,10 +201,10 @@ impl Note {
             (false, false) => TEXT,
         };
         canvas.text(at, Anchor::TopRight, em, number, &self.value);
-        let equation = Boxed::inline(&self.equation, em);
-        let left = at.0 - 0.6 * em - Font::width(em, &self.value) - equation.width;
+        let set = self.set(em);
+        let left = at.0 - 0.6 * em - Font::width(em, &self.value) - set.width;
         let ink = if is_idle { IDLE } else { FAINT };
-        equation.draw(canvas, (left, at.1 + BASELINE * em), ink, is_idle);
+        set.draw(canvas, (left, at.1 + BASELINE * em), ink, is_idle);
     }
 }
 
