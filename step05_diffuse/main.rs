@@ -4,6 +4,6 @@ use std::process::ExitCode;
 use step05_diffuse::Lesson;
 
 fn main() -> ExitCode {
-    let name = env!("CARGO_PKG_NAME");
-    exercises::main::<Lesson>(name, env!("CARGO_PKG_DESCRIPTION"), source::of(name))
+    let (name, concept) = (env!("CARGO_PKG_NAME"), env!("CARGO_PKG_DESCRIPTION"));
+    exercises::main::<Lesson>(name, concept, source::of(name), include_str!("README.md"))
 }

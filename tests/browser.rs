@@ -5,19 +5,14 @@ use std::io::BufReader;
 use std::io::Read;
 use std::io::Write;
 use std::net::TcpStream;
-use std::path::Path;
-use std::path::PathBuf;
 use std::process::Child;
 use std::process::Stdio;
 use std::sync::LazyLock;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use image::RgbImage;
 use serde_json::Value;
-use serde_json::json;
-use tests::root;
-use tests::run::start;
+use tests::prelude::*;
 
 /// The page, made once.
 pub(crate) static PAGE: LazyLock<PathBuf> = LazyLock::new(|| {

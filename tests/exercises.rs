@@ -1,9 +1,6 @@
 //! Solutions of the exercises, right and wrong: `--check` accepts the right ones, refuses the others
 //! and says what is wrong with them.
 
-use std::fs;
-use std::path::Path;
-use std::path::PathBuf;
 use std::process::Command;
 use std::process::Output;
 use std::sync::LazyLock;
@@ -12,7 +9,6 @@ use std::sync::MutexGuard;
 use std::sync::PoisonError;
 
 use exercises::Milestone;
-use tempfile::tempdir;
 use tests::prelude::*;
 
 use crate::solutions::BUT;

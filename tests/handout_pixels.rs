@@ -1,7 +1,6 @@
 //! What handouts say of pixels is so: what is to be seen there, and what `--pixel` tells of them.
 
 use std::cmp::Ordering;
-use std::path::Path;
 
 use tests::prelude::*;
 
@@ -9,7 +8,6 @@ use crate::readme::Part;
 use crate::readme::comments;
 use crate::readme::languages;
 use crate::readme::originals;
-use crate::set_up;
 
 /// What a handout says is seen under «Try this»: with the settings `after`, and not with those
 /// `before`, pixels of 960 × 540 are brighter, darker or the same.
@@ -53,15 +51,10 @@ fn place_of(place: &str) -> Option<(usize, usize)> {
     Some((col.parse().ok()?, row.parse().ok()?))
 }
 
-/// What a step says of a pixel with these arguments: `--pixel`, and what is set, and how large the
-/// picture is.
+/// What a step says of a pixel with these arguments.
 fn explanation(index: usize, arguments: &str) -> Explanation {
-    let setup = set_up(index, arguments);
-    let after = |flag| arguments.split_whitespace().skip_while(|word| *word != flag).nth(1);
-    let size = after("-s").map_or(Size::DEFAULT, |size| size.parse().expect("a size"));
-    let (col, row) = after("--pixel").and_then(place_of).expect("a pixel");
-    let (width, height) = (size.width(), size.height());
-    setup.step().explain(&*setup.view().camera(size.aspect()), Pixel { col, row, width, height })
+    let desk = after(Desk::new(programs(), index), &acts_of(arguments));
+    desk.explanation().expect("a pixel")
 }
 
 /// The lines of what [`explanation`] gives, in the language that is spoken, their words one space apart.

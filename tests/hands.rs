@@ -41,6 +41,31 @@ pub fn what_if(setting: &str) -> Act {
     Act::Answer(setting.to_owned())
 }
 
+/// What the options of a command do on a desk.
+pub fn acts_of(options: &str) -> Vec<Act> {
+    let (mut words, mut acts) = (options.split_whitespace(), Vec::new());
+    while let Some(flag) = words.next() {
+        let mut value = || words.next().expect("a value");
+        acts.push(match flag {
+            "--set" => {
+                let (name, value) = value().split_once('=').expect("NAME=VALUE");
+                set(name, value)
+            }
+            "--camera" => set("camera", value()),
+            "--pixel" => {
+                let (col, row) = value().split_once(',').expect("X,Y");
+                Act::PinPixel(col.parse().expect("a column"), row.parse().expect("a row"))
+            }
+            "--show" => show(value()),
+            "--what-if" => what_if(value()),
+            "--outside" => Act::Outside,
+            "-s" | "--size" => Act::Size(value().parse().expect("a size")),
+            _ => panic!("{options}"),
+        });
+    }
+    acts
+}
+
 /// What can be read in an address.
 pub fn address(desk: &Desk) -> String {
     desk.address(Language::ENGLISH)

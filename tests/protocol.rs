@@ -1,9 +1,7 @@
 //! What the page is answered, as a browser would ask, without one.
 
-use lecture::PROGRAMS;
 use page::Page;
 use serde_json::Value;
-use serde_json::json;
 use tests::prelude::*;
 
 /// A page that is asked in JSON.
@@ -21,7 +19,7 @@ impl Asked {
         self.0.answer(&[question.to_string().as_bytes(), b"\n", below].concat())
     }
 
-    fn bytes(&mut self, question: Value, below: &[u8]) -> Vec<u8> {
+    pub(crate) fn bytes(&mut self, question: Value, below: &[u8]) -> Vec<u8> {
         self.answer(&question, below).unwrap_or_else(|error| panic!("{question}: {error}"))
     }
 
@@ -33,7 +31,7 @@ impl Asked {
         self.ask(json!({"do": what}))
     }
 
-    fn press(&mut self, key: &str) -> Value {
+    pub(crate) fn press(&mut self, key: &str) -> Value {
         self.ask(json!({"key": {"key": key, "down": true}}))
     }
 
@@ -42,7 +40,7 @@ impl Asked {
     }
 
     /// All rows of a layer, 64 × 36 pixels large.
-    fn rows(&mut self, layer: Value) -> Vec<u8> {
+    pub(crate) fn rows(&mut self, layer: Value) -> Vec<u8> {
         self.bytes(rows(layer, [64, 36], 0, 36), b"")
     }
 
@@ -70,24 +68,18 @@ fn rows(layer: Value, size: [u64; 2], first: u64, count: u64) -> Value {
 }
 
 #[test]
-fn rows_are_those_of_the_step() {
-    for (index, program) in PROGRAMS.iter().enumerate() {
-        let mut page = Asked::at(&program.name[..6]);
-        let picture = picture_of(&setup(index), 64, 36);
+fn rows_are_those_of_what_is_shown() {
+    for (program, seen) in
+        PROGRAMS.iter().flat_map(|it| ["", "&azimuth=9", "&outside=on"].map(|by| (it, by)))
+    {
+        let address = format!("#{}{seen}", &program.name[..6]);
+        let mut page = Asked::at(&address);
+        let desk = after(Desk::new(programs(), 0), &[Act::Open(address.clone())]);
+        let picture = pictures_of(&desk, size(64, 36)).remove(0);
         let parts = [(0, 20), (20, 16)]
             .map(|(first, count)| page.bytes(rows(json!("now"), [64, 36], first, count), b""));
-        assert!(parts.concat() == *picture.as_raw(), "{}", program.name);
+        assert!(parts.concat() == *picture.as_raw(), "{address}");
     }
-}
-
-#[test]
-fn the_step_before_has_the_same_changes() {
-    let mut page = Asked::at("#step06&radius=0.5");
-    page.does(json!({"orbit": [20, -3]}));
-    let before = page.rows(json!("before"));
-    page.does(json!({"step": 5}));
-    assert!(page.rows(json!("now")) == before);
-    assert!(page.state()["address"].to_string().contains("&red.radius=0.5&"));
 }
 
 #[test]
@@ -153,54 +145,30 @@ fn two_pictures_are_shown_as_they_are_compared() {
 }
 
 #[test]
-fn from_outside_the_camera_itself_stays() {
-    let mut page = Asked::at("#step04");
-    let inside = page.rows(json!("now"));
-    page.press("O");
-    let outside = page.rows(json!("now"));
-    page.does(json!({"orbit": [30, 0]}));
-    assert!(inside != outside && outside != page.rows(json!("now")));
-    assert!(page.state()["address"].to_string().contains("&outside=on&outside.azimuth="));
-    assert_eq!(page.setting("azimuth", "changed"), false);
-    page.press("O");
-    assert!(page.rows(json!("now")) == inside);
-}
-
-#[test]
 fn each_symbol_has_the_number_of_what_is_seen() {
+    let told = explained(&setup(6), (465, 215), Size::DEFAULT);
     let explained = Asked::at("#step07&pixel=465,215").ask(json!("explain"));
-    let step = step(6);
-    let pixel = Pixel { col: 465, row: 215, width: 960, height: 540 };
-    let told = step.explain(&*step.view().camera(960.0 / 540.0), pixel);
-    let value = |scope: &Scope, symbol: &str| {
-        let line = scope.lines().find(|line| line.symbol() == symbol)?;
-        Some(texts(&line.value).iter().map(|text| text.trim().to_owned()).collect::<Vec<_>>())
-    };
-    let found = |place: usize, symbol: &str| {
-        let values = explained["symbols"][place]["values"].as_array().expect("symbols");
-        let mut values = values.iter().filter(|pair| pair[0] == symbol).map(|pair| &pair[1]);
-        let found = values.next();
-        assert!(values.next().is_none(), "{symbol} stands twice");
-        found.cloned()
-    };
     let scope = |name| told.scope(name).expect("it is told");
     let red = scope("intersection").scopes().next().expect("it is seen");
     let (ray, lit) = (scope("viewing ray"), scope("illumination"));
     let sum = lit.scopes().last().expect("it is summed");
-    for (scope, symbol) in
-        [(ray, "u"), (ray, "p"), (red, "t₁"), (red, "D"), (lit, "k_a"), (sum, "L")]
-    {
-        let expected = value(scope, symbol).unwrap_or_else(|| panic!("{symbol} is told"));
-        assert_eq!(found(0, symbol), Some(json!(expected)), "{symbol}");
-    }
-    assert_eq!(found(0, "n·l"), None);
+    let seen = [(ray, "u"), (ray, "p"), (red, "t₁"), (red, "D"), (lit, "k_a"), (sum, "L")];
+    let mut expected: Vec<(usize, &Scope, &str)> = seen.map(|(of, symbol)| (0, of, symbol)).into();
     for (place, light) in (1..).zip(lit.scopes().take(2)) {
         assert_eq!(explained["symbols"][place]["of"], light.name);
-        for symbol in ["n·l", "I/r²", "k_s", "V", "p"] {
-            let expected = value(light, symbol).unwrap_or_else(|| panic!("{symbol} is told"));
-            assert_eq!(found(place, symbol), Some(json!(expected)), "{}: {symbol}", light.name);
-        }
+        expected.extend(["n·l", "I/r²", "k_s", "V", "p"].map(|symbol| (place, light, symbol)));
     }
+    let found = |place: usize, symbol: &str| {
+        let values = explained["symbols"][place]["values"].as_array().expect("symbols");
+        let values = values.iter().filter(|pair| pair[0] == symbol).map(|pair| pair[1].clone());
+        values.collect::<Vec<_>>()
+    };
+    for (place, scope, symbol) in expected {
+        let line = scope.lines().find(|line| line.symbol() == symbol).expect(symbol);
+        let value: Vec<String> = texts(&line.value).iter().map(|it| it.trim().to_owned()).collect();
+        assert_eq!(found(place, symbol), [json!(value)], "{}: {symbol}", scope.name);
+    }
+    assert_eq!(found(0, "n·l"), [Value::Null; 0]);
     // Where there is but one of a kind, there is nothing to be chosen.
     for address in ["#step05&pixel=465,215", "#step02&pixel=480,270", "#step07&pixel=1,1"] {
         let symbols = Asked::at(address).ask(json!("explain"))["symbols"].clone();
@@ -244,32 +212,15 @@ fn what_cannot_be_done_is_said_and_changes_nothing() {
     assert!(page.answer(&show([9, 9], [9, 9]), b"abc").is_err());
     assert!(page.0.answer(b"\xff").is_err() && page.0.answer(b"").is_err());
     assert_eq!(page.state(), state);
+    // What stands on the page is not said in words as well.
+    assert_eq!(page.press("c")["said"], Value::Null);
+    for (from_outside, is_said) in [(false, false), (true, true)] {
+        let said = page.does(json!({"pin": [0.5, 0.5]}))["said"].clone();
+        assert_eq!(said != Value::Null, is_said, "from outside {from_outside}: {said}");
+        page.press("o");
+    }
     page.does(json!({"step": 1}));
     assert!(page.answer(&rows(json!("before"), [9, 9], 0, 9), b"").is_err());
-}
-
-#[test]
-fn no_number_harms_it() {
-    let mut page = Asked::at("#step07&size=64x36&handles=on&pixel=9,9");
-    for large in [1e39, -1e39, 3e38, -3e38, 0.0] {
-        for what in [
-            json!({"fraction": ["red.p", large]}),
-            json!({"nudge": ["red.center.x", large]}),
-            json!({"orbit": [large, large]}),
-            json!({"zoom": large}),
-            json!({"pin": [large, large]}),
-            json!({"movePin": [i32::MAX, i32::MIN]}),
-            json!({"drag": [0, [large, large]]}),
-            json!({"divideAt": large}),
-            json!({"step": u32::MAX}),
-        ] {
-            page.does(what);
-            page.ask(json!({"grab": {"at": [large, large], "reach": large}}));
-            let rgb = ["before", "now"].map(|layer| page.rows(json!(layer))).concat();
-            let show = json!({"size": [64, 36], "drawn": [64, 36], "text": large});
-            page.bytes(json!({"show": show}), &rgb);
-        }
-    }
 }
 
 #[test]

@@ -87,40 +87,6 @@ proptest! {
     }
 
     #[test]
-    fn the_tip_of_an_arrow_has_its_color_where_it_is(
-        view in views(), index in 1..7_usize, u in 0.1_f32..0.9, v in 0.1_f32..0.9,
-    ) {
-        let (step, camera) = (step(index), view.camera(ASPECT));
-        let sight = Sight { step: &*step, camera: &*camera, area: AREA };
-        let explanation = step.explain(&*camera, pixel(u, v, SIZE));
-        let drawn = over_black(sight, Some(&explanation), &[]);
-        // The last, because others may be under it; the points are smaller than an arrow.
-        let mut marks = marks(&explanation, 1.0).into_iter().rev();
-        let arrow = marks.find(|mark| matches!(mark.shape, MarkShape::Arrow(..)));
-        let Some(Mark { symbol, shape: MarkShape::Arrow(from, direction) }) = arrow else {
-            return Ok(());
-        };
-        let length = sight.pixel_length(from).map_or(0.0, |length| 0.2 * AREA.height * length);
-        let end = from + length * (direction - from);
-        let Some((start, tip)) = sight.at(from).zip(sight.at(end)) else { return Ok(()) };
-        let far = apart(tip, start);
-        if far < 30.0 || !AREA.inset(5.0).contains(tip) {
-            return Ok(());
-        }
-        let back = 5.0 / far;
-        let (x, y) = (tip.0 - back * (tip.0 - start.0), tip.1 - back * (tip.1 - start.1));
-        let ink = symbol_ink(symbol).expect("it is drawn");
-        let found = drawn.get_pixel(x as u32, y as u32).0;
-        // What is hidden lets through what is under it.
-        let (part, most) = if sight.is_hidden(end) { (150, 105) } else { (255, 0) };
-        let near = found.into_iter().zip(ink.rgb).all(|(found, code)| {
-            let least = i32::from(code) * part / 255;
-            (least - 40..=least + most + 40).contains(&found.into())
-        });
-        prop_assert!(near, "{symbol}: {found:?} at {x}, {y}");
-    }
-
-    #[test]
     fn what_is_dashed_is_what_a_ray_finds_hidden(
         view in views(), from in uniform3(-4.0_f32..4.0), to in uniform3(-4.0_f32..4.0),
     ) {

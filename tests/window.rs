@@ -5,7 +5,6 @@
 //! Only where a window is one of X11.
 
 use std::cell::RefCell;
-use std::fs;
 use std::fs::File;
 use std::io::BufRead;
 use std::io::BufReader;
@@ -16,7 +15,6 @@ use std::time::Duration;
 use std::time::Instant;
 
 use tempfile::TempDir;
-use tempfile::tempdir;
 use tests::prelude::*;
 
 /// Asks again until there is an answer.

@@ -30,7 +30,7 @@ function press(key, down = true, fine = false) {
   if (!done) return true;
   if (done.hand) HANDS[done.hand](fine);
   if (done.save) save();
-  if (done.command) copy(state.command);
+  if (done.command) copy(asked("command"));
   return done.known;
 }
 

@@ -115,15 +115,15 @@ steps!(programs);
 pub fn programs() -> Vec<show::Program> {
     let program = |step: Program| {
         // They are shown as long as the window.
-        let mut lessons = step.handouts.iter().map(|handout| {
+        let lessons = step.handouts.iter().map(|handout| {
             let Lesson { concept, slides, idea } = Lesson::read(handout);
-            (&*concept.leak(), &*slides.leak(), &*idea.leak())
+            (&*slides.leak(), [&*concept.leak(), &*idea.leak(), *handout])
         });
-        let (concept, slides, idea) = lessons.next().unwrap_or_default();
-        let others = lessons.map(|(concept, _, idea)| [concept, idea]);
-        let texts = std::iter::once([concept, idea]).chain(others).collect();
+        let (slides, texts): (Vec<_>, Vec<_>) = lessons.unzip();
+        let slides = slides.first().copied().unwrap_or_default();
+        let [concept, idea, handout] = texts.first().copied().unwrap_or_default();
         let program = show::Program::new(step.name, concept, Size::DEFAULT, make(step));
-        show::Program { slides, code: code(step), idea, texts, ..program }
+        show::Program { slides, code: code(step), idea, handout, texts, ..program }
     };
     PROGRAMS.map(program).to_vec()
 }

@@ -2,11 +2,14 @@
 
 use crate::Anchor;
 use crate::Area;
+use crate::Boxed;
 use crate::Canvas;
 use crate::Font;
 use crate::Ink;
+use crate::Letters;
 use crate::Sight;
 use crate::Stroke;
+use crate::plain;
 use crate::sight::distance;
 use common::Vec3;
 
@@ -195,7 +198,7 @@ impl<'a> Pen<'a> {
 
     /// Writes the labels.
     pub(crate) fn finish(mut self) {
-        let gap = 0.45 * self.text_size;
+        let (gap, height) = (0.45 * self.text_size, Font::line_height(self.text_size));
         let around = [
             (0.7, -0.7),
             (0.7, 0.7),
@@ -210,9 +213,10 @@ impl<'a> Pen<'a> {
         let mut taken: Vec<Area> = self.labels.iter().map(|label| dot(label.at)).collect();
         taken.append(&mut self.marks);
         for label in &self.labels {
-            let text = label.texts.join(", ");
+            let text = plain(&label.texts.join(", "), Letters::Vector);
+            let set = Boxed::inline(&text, self.text_size);
             let place = |(x, y): (f32, f32), gap: f32| {
-                let area = Font::area(label.at, Anchor::Center, self.text_size, &text);
+                let area = Area::anchored(label.at, Anchor::Center, set.width, height);
                 let across = (gap + area.width / 2.0) * x;
                 let down = (gap + 0.4 * area.height) * y;
                 let area = Area { left: area.left + across, top: area.top + down, ..area };
@@ -242,8 +246,8 @@ impl<'a> Pen<'a> {
                 }
             }
             if let Some((_, area)) = best {
-                let at = area.at(Anchor::Center);
-                self.canvas.label(at, Anchor::Center, self.text_size, label.ink, &text);
+                let (left, middle) = area.at(Anchor::Left);
+                set.label(&mut self.canvas, (left, middle + 0.3 * self.text_size), label.ink);
                 taken.push(area);
             }
         }

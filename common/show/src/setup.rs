@@ -138,6 +138,11 @@ impl Setup {
         other
     }
 
+    /// The same once more, to be changed otherwise.
+    pub fn copied(&self) -> Self {
+        self.carried_to(self.make.clone())
+    }
+
     /// Makes the step anew, with all changes. Those that it has no control for wait for a step that
     /// has; a value out of its range is left to the other step.
     fn remake(&mut self) {

@@ -22,6 +22,8 @@ use show::Language;
 use show::Program;
 use show::Reading;
 use show::Size;
+use show::mathml;
+use show::plain;
 use show::text;
 use show::translated;
 
@@ -101,6 +103,7 @@ impl Page {
                 json(&state(self.desk_of(of.as_deref())?, spoken))
             }
             Ask::Explain => json(&explained(&self.desk)),
+            Ask::Command => json(&self.desk.command()),
             Ask::Keys => {
                 let listed = show::keys().into_iter().map(|row| row.listed());
                 json(&listed.collect::<Vec<_>>())
@@ -307,7 +310,6 @@ fn state(desk: &Desk, spoken: Language) -> State {
         name: desk.program().name,
         size: (size.width(), size.height()),
         groups: groups.collect(),
-        command: desk.command(),
         address: desk.address(spoken),
         pin: desk.pinned().map(|pixel| (pixel.col, pixel.row)),
         layers,
@@ -344,5 +346,7 @@ fn setting(setting: show::Setting) -> Setting {
     };
     let (text, fraction, takes) = (control.text(), control.fraction(), control.takes());
     let options = control.options();
-    Setting { name, label: control.name, kind, text, fraction, takes, options, changed }
+    let meant = if control.axis.is_some() { show::Letters::Vector } else { show::Letters::Scalar };
+    let label = mathml(&plain(&control.name, meant), false, &mut |_, _| None);
+    Setting { name, label, kind, text, fraction, takes, options, changed }
 }

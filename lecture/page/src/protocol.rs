@@ -28,6 +28,8 @@ pub(crate) enum Ask {
     State { of: Option<String>, spoken: String },
     /// How the pinned pixel comes by its colour.
     Explain,
+    /// The command that gives what is shown now. It takes time, as it looks for the shortest names.
+    Command,
     /// All keys.
     Keys,
     /// Which handle is at a place of the picture, no farther than `reach`, a share of its width.
@@ -159,7 +161,6 @@ pub(crate) struct State {
     pub(crate) name: &'static str,
     pub(crate) size: (usize, usize),
     pub(crate) groups: Vec<Group>,
-    pub(crate) command: String,
     pub(crate) address: String,
     pub(crate) pin: Option<(usize, usize)>,
     /// The pictures that are wanted: `now`, `before` or both.
@@ -200,6 +201,7 @@ pub(crate) struct Group {
 pub(crate) struct Setting {
     /// What it is called among all, and what it is called in its group.
     pub(crate) name: String,
+    /// In MathML.
     pub(crate) label: String,
     pub(crate) kind: &'static str,
     pub(crate) text: String,
@@ -213,9 +215,10 @@ pub(crate) struct Setting {
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 pub(crate) enum Part {
-    /// A value: how its equation is shown, its symbol's colour, its numbers.
+    /// A value: its equation as it is read out and in MathML, its symbol's colour, its numbers.
     Line {
         shown: &'static str,
+        math: String,
         ink: Option<String>,
         values: Vec<String>,
         /// The equation and what it is about, if it can be a picture.

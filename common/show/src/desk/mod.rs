@@ -18,6 +18,7 @@ use image::RgbImage;
 
 use crate::Handle;
 use crate::Language;
+use crate::Law;
 use crate::Look;
 use crate::Looked;
 use crate::Outside;
@@ -279,6 +280,12 @@ impl Desk {
     /// How it does so in the step before.
     pub fn explanation_before(&self) -> Option<Explanation> {
         self.explanation_of(self.before.as_ref()?)
+    }
+
+    /// The step's law with the pinned pixel's numbers, in the light that is chosen.
+    pub fn law(&self) -> Option<Law> {
+        let explanation = self.explanation()?;
+        Some(Law::new(&self.program().law(), &explanation, self.setup.chosen("light")))
     }
 
     fn explanation_of(&self, setup: &Setup) -> Option<Explanation> {

@@ -4,9 +4,14 @@ use std::rc::Rc;
 
 use crate::Code;
 use crate::Language;
+use crate::Letters;
 use crate::Make;
 use crate::Size;
+use crate::laws;
+use crate::math::symbol;
+use crate::plain;
 use crate::translated;
+use common::Line;
 
 /// A step as a program, or one of its figures.
 #[derive(Clone)]
@@ -26,8 +31,11 @@ pub struct Program {
     /// Its equation and idea in short, a paragraph a line, equations indented; "" where there is
     /// none to be shown.
     pub idea: &'static str,
-    /// Concept and idea in each language, in the order of all, where the catalogues do not have them.
-    pub texts: Vec<[&'static str; 2]>,
+    /// Its handout, in Markdown: its law, and which symbols are new, stand there; "" where there is none.
+    pub handout: &'static str,
+    /// Concept, idea and handout in each language, in the order of all, where the catalogues do not have
+    /// them.
+    pub texts: Vec<[&'static str; 3]>,
     /// Whether it is a step's figure, an example: its picture is first shown alone.
     pub is_figure: bool,
 }
@@ -43,6 +51,7 @@ impl Program {
             slides: "",
             code: Rc::default(),
             idea: "",
+            handout: "",
             texts: Vec::new(),
             is_figure: false,
         }
@@ -51,9 +60,30 @@ impl Program {
     /// Concept and idea in the language that is spoken.
     pub(crate) fn told(&self) -> (&'static str, &'static str) {
         match self.texts.get(Language::spoken().place()) {
-            Some([concept, idea]) => (concept, idea),
+            Some([concept, idea, _]) => (concept, idea),
             None => (translated(self.concept), self.idea),
         }
+    }
+
+    /// The equations that are its law, as its handout has them first, in LaTeX.
+    pub fn law(&self) -> Vec<&'static str> {
+        let told = self.texts.get(Language::spoken().place());
+        laws(told.map_or(self.handout, |[.., handout]| handout))
+    }
+
+    /// Whether its handout has a row that gives the symbol of `line` a meaning: what is new has one.
+    pub(crate) fn explains(&self, line: &Line) -> bool {
+        let symbol = symbol(line).key();
+        let symbols = self.handout.lines().filter_map(|line| line.strip_prefix("| "));
+        let mut symbols =
+            symbols.filter_map(|row| row.split(" | ").next()).flat_map(|names| names.split(", "));
+        let is_it = |name: &str| {
+            let name = name.replace(['*', '\\'], "");
+            [Letters::Scalar, Letters::Vector]
+                .iter()
+                .any(|letters| plain(&name, *letters).key() == symbol)
+        };
+        symbols.any(is_it)
     }
 
     /// What its window is called.

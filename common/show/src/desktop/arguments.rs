@@ -13,9 +13,9 @@ use clap::builder::TypedValueParser;
 use clap::error::ContextKind;
 use clap::error::ContextValue;
 use clap::error::ErrorKind;
-use image::ImageFormat;
 use strsim::damerau_levenshtein;
 
+use super::file;
 use super::suite::Suite;
 use super::window::Place;
 use crate::Frame;
@@ -47,13 +47,7 @@ pub(super) fn command(suite: &Suite) -> Command {
             _ => Err(text!("a pixel is X,Y with whole numbers from 0, such as 480,270")),
         }
     };
-    let png = PathBufValueParser::new().try_map(|path| match ImageFormat::from_path(&path) {
-        Ok(format) if format != ImageFormat::Png => {
-            let path = path.with_extension("png");
-            Err(text!("the picture is a PNG, so name it {path}", path = path.display()))
-        }
-        _ => Ok(path),
-    });
+    let png = PathBufValueParser::new().try_map(file::picture_name);
     let last = suite.programs.len();
     let step = move |text: &str| match text.parse::<usize>() {
         Ok(step) if (1..=last).contains(&step) => Ok(step),
@@ -106,6 +100,10 @@ pub(super) fn command(suite: &Suite) -> Command {
             .arg(watch.conflicts_with_all(["output", "compare", "pixel", "check"]))
             .arg(option("open", "ADDRESS"))
             .arg(option("window", "WxH+X+Y").value_parser(window));
+    }
+    if suite.programs.iter().any(|program| !program.code.is_empty()) {
+        let code = Arg::new("code").long("code").action(ArgAction::SetTrue);
+        command = command.arg(code.requires("pixel"));
     }
     if suite.page.is_some() {
         let page = file("page").value_parser(PathBufValueParser::new());

@@ -22,6 +22,7 @@ use super::exercises::Verdict;
 use super::file;
 use super::help::help;
 use super::job::Job;
+use super::printed;
 use super::remembered::Remembered;
 use super::said::print;
 use super::said::report;
@@ -105,7 +106,10 @@ fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
         Err(message) => return usage(&message),
     };
     if let Some(explanation) = printed {
-        let printed = print(&explanation);
+        let printed = match given::<bool>(&matches, "code") {
+            Some(true) => print(&printed::code(&desk, printed::is_coloured())),
+            _ => print(&explanation),
+        };
         if output.is_none() || printed.is_err() {
             return status(printed.map(|()| true));
         }

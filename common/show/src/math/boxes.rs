@@ -28,7 +28,7 @@ enum Piece {
 }
 
 /// The numbers that hang from what has this [`key`](Math::key).
-pub type Numbers<'a> = &'a dyn Fn(&str) -> Option<Vec<String>>;
+pub(super) type Numbers<'a> = &'a dyn Fn(&str) -> Option<Vec<String>>;
 
 /// How something is set.
 #[derive(Clone, Copy)]
@@ -36,22 +36,27 @@ pub(super) struct Style<'a> {
     pub(super) size: f32,
     /// Fractions are as large as all else.
     pub(super) large: bool,
+    /// Within a fraction, which several numbers below each other would tear apart.
+    pub(super) within: bool,
     pub(super) numbers: Option<Numbers<'a>>,
 }
+
+/// How large letters of this font are beside those of text that look as large.
+const BESIDE: f32 = 1.12;
 
 /// Parts of an em: how high the middle of a sign is, how thick a bar, how large an index, a number that
 /// hangs, and the lines of such numbers.
 const AXIS: f32 = 0.258;
 const BAR: f32 = 0.06;
 const SCRIPT: f32 = 0.72;
-const NUMBER: f32 = 0.66;
-const LINE: f32 = 0.74;
+const NUMBER: f32 = 0.64;
+const LINE: f32 = 0.7;
 
 /// The colour of a number that hangs below what has none.
 const NUMBERS: Ink = Ink::new(255, 212, 121);
 
 /// The colour of what has this [`key`](Math::key), by the name under which it is told.
-fn ink(key: &str) -> Option<Ink> {
+pub(super) fn ink(key: &str) -> Option<Ink> {
     let told = |letter: char| match u32::from(letter) {
         code @ 0x1D41A..=0x1D433 => char::from_u32(code - 0x1D41A + u32::from('a')),
         0x1D6FC => Some('α'),
@@ -65,14 +70,25 @@ fn ink(key: &str) -> Option<Ink> {
 }
 
 impl Boxed {
-    /// A line of `math`, with fractions and exponents as small as they fit into text.
-    pub fn inline(math: &Math, size: f32) -> Self {
-        Style { size, large: false, numbers: None }.set(math)
+    /// A line of `math` beside text of this size, with fractions as small as they fit there.
+    pub fn inline(math: &Math, em: f32) -> Self {
+        let size = BESIDE * em;
+        Style { size, large: false, within: false, numbers: None }.set(math)
     }
 
-    /// A line of `math`, as it stands alone, with the numbers that `numbers` has for some of it.
-    pub fn display(math: &Math, size: f32, numbers: Numbers<'_>) -> Self {
-        Style { size, large: true, numbers: Some(numbers) }.set(math)
+    /// As [`inline`](Self::inline), smaller where it would be wider than `width`.
+    pub fn within(math: &Math, em: f32, width: f32) -> Self {
+        let set = Self::inline(math, em);
+        let part = width / set.width.max(1.0);
+        if part >= 1.0 { set } else { Self::inline(math, em * part.max(0.5)) }
+    }
+
+    /// A line of `math` as it stands alone, smaller where it would be wider than `width`.
+    pub fn display(math: &Math, em: f32, width: f32) -> Self {
+        let style = |size| Style { size, large: true, within: false, numbers: None };
+        let set = style(BESIDE * em).set(math);
+        let part = width / set.width.max(1.0);
+        if part >= 1.0 { set } else { style(BESIDE * em * part.max(0.4)).set(math) }
     }
 
     /// Draws it with the left end of its baseline at `at`: symbols in their colours, all else in `ink`; or
@@ -156,7 +172,7 @@ fn is_relation(sign: char) -> bool {
 
 impl<'a> Style<'a> {
     fn scaled(self, part: f32) -> Self {
-        Self { size: part * self.size, large: false, numbers: None }
+        Self { size: part * self.size, large: false, numbers: None, ..self }
     }
 
     pub(super) fn set(self, math: &Math) -> Boxed {
@@ -308,14 +324,15 @@ impl<'a> Style<'a> {
             let key: String = parts[..count].iter().map(Math::key).collect();
             let ends = [&parts[0], &parts[count - 1]];
             let whole = ends.iter().all(|end| !matches!(end, Math::Space(_)));
-            numbers(&key).filter(|_| whole && !key.is_empty()).map(|numbers| (count, numbers))
+            let numbers = numbers(&key).filter(|numbers| numbers.len() == 1 || !self.within);
+            numbers.filter(|_| whole && !key.is_empty()).map(|numbers| (count, numbers))
         });
         told.unwrap_or((1, Vec::new()))
     }
 
     fn fraction(self, above: &Math, below: &Math) -> Boxed {
-        let part = if self.large { self } else { self.scaled(0.8) };
-        let (above, below) = (part.set(above), part.set(below));
+        let part = if self.large { Self { within: true, ..self } } else { self.scaled(0.8) };
+        let (above, below) = (part.row(above.parts()), part.row(below.parts()));
         let (axis, bar, gap) = (AXIS * self.size, BAR * self.size, 0.14 * part.size);
         let width = above.width.max(below.width) + 0.16 * self.size;
         let mut set = Boxed::default();

@@ -1,67 +1,90 @@
 //! A step's own law, with the numbers of a pixel below its symbols.
 
 use super::Boxed;
-use super::Kind;
+use super::Letters;
 use super::Math;
 use super::boxes::Style;
 use super::latex;
 use super::plain;
 use super::symbols;
-use crate::texts;
+use crate::Ink;
+use crate::rounded;
+use crate::translated;
 use common::Explanation;
+use common::Line;
 use common::Value;
 
 /// The equations of a step, with what its pinned pixel tells of their symbols.
 pub struct Law {
     equations: Vec<Math>,
     told: Vec<(String, Vec<String>)>,
+    /// Whose numbers they are, where the same is told of several lights.
+    light: Option<&'static str>,
 }
 
 /// What an equation calls by another name than its step: the closest hit is where rays end then, and of
 /// two roots the first is the one that is meant.
 const CALLED: [(&str, &str); 2] = [("𝑡^∗", "𝑡_max"), ("𝑡", "𝑡_1")];
 
+/// By which key is told what an equation has under this one, if it is.
+pub fn law_name(key: &str, is_told: impl Fn(&str) -> bool) -> Option<&str> {
+    let called = || CALLED.iter().find(|(name, _)| *name == key).map(|(_, told)| *told);
+    // Where rays end is another place with each hit.
+    let name = Some(key).filter(|key| is_told(key) && *key != "𝑡_max");
+    name.or_else(|| called().filter(|told| is_told(told)))
+}
+
 /// How small an equation gets before it is cut, in parts of its size.
 const LEAST: f32 = 0.62;
 
-/// The equations of a handout: of what stands between its first $$, or of all.
-pub fn laws(handout: &str, all: bool) -> Vec<&str> {
-    let blocks = handout.split("$$").skip(1).step_by(2).take(if all { usize::MAX } else { 1 });
-    blocks.flat_map(|block| block.split(r"\qquad")).map(str::trim).collect()
+/// The equations that are a step's law: what stands between the first $$ of its handout.
+pub fn laws(handout: &str) -> Vec<&str> {
+    let block = handout.split("$$").nth(1).into_iter();
+    block.flat_map(|block| block.split(r"\qquad")).map(str::trim).collect()
 }
 
-/// How the line `value` is meant.
-pub(crate) fn kind(equation: &str, value: &Value) -> Kind {
-    // Light is a number for each colour.
-    let left = equation.split('=').next().unwrap_or(equation).trim();
-    match value {
-        Value::Vector(_) if !left.starts_with(['k', 'L', 'I']) => Kind::Vector,
-        _ => Kind::Scalar,
-    }
+/// How the symbol of a line is meant.
+fn kind(line: &Line) -> Letters {
+    if matches!(line.value, Value::Vector(_)) { Letters::Vector } else { Letters::Scalar }
+}
+
+/// What a line gives a value to.
+pub(crate) fn symbol(line: &Line) -> Math {
+    plain(line.symbol(), kind(line))
+}
+
+/// The colour of the symbol that a line gives a value to, if it has one of its own.
+pub fn ink_of(line: &Line) -> Option<Ink> {
+    super::boxes::ink(&symbol(line).key())
+}
+
+/// What a line tells, as a slide has it.
+pub fn typeset(line: &Line) -> Math {
+    plain(translated(line.equation), kind(line))
 }
 
 impl Law {
     /// The law in `latex`, with what `explanation` tells; of several lights what is told of `light`.
-    pub fn new(latex_of: &[&str], explanation: &Explanation, light: Option<&str>) -> Self {
+    pub fn new(equations: &[&str], explanation: &Explanation, light: Option<&str>) -> Self {
         let all = symbols(explanation);
         let (once, each) = all.split_at(1.min(all.len()));
         let chosen = each.iter().find(|its| Some(its.of) == light).or(each.first());
         let mut told: Vec<(String, Vec<String>)> = Vec::new();
         for line in once.iter().chain(chosen).flat_map(|its| &its.lines) {
-            let key = plain(line.symbol(), kind(line.equation, &line.value)).key();
+            let key = symbol(line).key();
             if !matches!(line.value, Value::Word(_)) {
                 told.retain(|(other, _)| *other != key);
-                told.push((key, short(&line.value)));
+                told.push((key, rounded(&line.value)));
             }
         }
-        Self { equations: latex_of.iter().map(|text| latex(text)).collect(), told }
+        let equations = equations.iter().map(|text| latex(text)).collect();
+        Self { equations, told, light: chosen.map(|its| its.of) }
     }
 
     fn numbers(&self, key: &str) -> Option<Vec<String>> {
         let find = |key: &str| self.told.iter().find(|(told, _)| told == key);
-        let called =
-            || CALLED.iter().find(|(name, _)| *name == key).and_then(|(_, told)| find(told));
-        find(key).or_else(called).map(|(_, numbers)| numbers.clone())
+        let (_, numbers) = find(law_name(key, |key| find(key).is_some())?)?;
+        Some(numbers.clone())
     }
 
     /// What has numbers of its own in it.
@@ -73,21 +96,28 @@ impl Law {
     /// each + where one is too wide, and smaller where even that is.
     pub fn set(&self, size: f32, width: f32, height: f32) -> Boxed {
         let numbers = |key: &str| self.numbers(key);
-        let mut size = size;
-        let least = LEAST * size;
-        loop {
-            let style = Style { size, large: true, numbers: Some(&numbers) };
-            let set = self.stacked(style, width);
-            if (set.width <= width && set.height() <= height) || size <= least {
-                return set;
+        let set = |size| {
+            let style = Style { size, large: true, within: false, numbers: Some(&numbers) };
+            self.stacked(style, width)
+        };
+        // What is smaller may break at other places, and then fit.
+        let mut now = size;
+        let mut fits = set(now);
+        for _ in 0..4 {
+            let part = (width / fits.width).min(height / fits.height());
+            if part < 1.0 && now > LEAST * size {
+                now = (0.99 * part * now).max(LEAST * size);
+                fits = set(now);
             }
-            size = (0.94 * size).max(least);
         }
+        fits
     }
 
     fn stacked(&self, style: Style<'_>, width: f32) -> Boxed {
-        let (mut set, gap) = (Boxed::default(), 0.35 * style.size);
+        let (mut set, gap) = (Boxed::default(), 0.28 * style.size);
         let (mut left, mut above, mut baseline) = (0.0, 0.0, 0.0);
+        // Where the first line ends.
+        let mut first = (0.0, 0.0);
         for equation in &self.equations {
             let whole = style.set(equation);
             let lines = if whole.width <= width { vec![whole] } else { broken(style, equation) };
@@ -103,7 +133,16 @@ impl Law {
                 let drop = if set.width == 0.0 { line.above } else { set.hang + gap + line.above };
                 (above, baseline, left) = (line.above, drop, indent + line.width);
                 set.put(line, (indent, drop));
+                first = if first.0 == 0.0 { (left, drop) } else { first };
             }
+        }
+        if let Some(light) = self.light {
+            let words = plain(&format!("i: {}", translated(light)), Letters::Scalar);
+            let line = Boxed::inline(&words, 0.7 * style.size);
+            // In the corner, if there is room beside the first line.
+            let corner = (width - line.width, first.1);
+            let below = (0.0, set.hang + gap + line.above);
+            set.put(line, if first.0 + style.size < corner.0 { corner } else { below });
         }
         set
     }
@@ -133,34 +172,4 @@ fn broken(style: Style<'_>, equation: &Math) -> Vec<Boxed> {
         }
     }
     lines.iter().map(|line| style.row(line)).collect()
-}
-
-/// The digits that a number has on a screen.
-const DIGITS: usize = 4;
-
-/// A value's numbers as they stand below its symbol.
-pub(crate) fn short(value: &Value) -> Vec<String> {
-    let numbers: Vec<f32> = match value {
-        Value::Number(number) => vec![*number],
-        Value::Vector(v) => v.to_array().into(),
-        Value::Word(_) => return texts(value).iter().map(|text| text.trim().to_owned()).collect(),
-    };
-    numbers.into_iter().map(|number| rounded(number)).collect()
-}
-
-/// A number with as many digits as are read at a glance.
-fn rounded(number: f32) -> String {
-    let _ = DIGITS;
-    let magnitude = number.abs();
-    let text = match magnitude {
-        _ if !number.is_finite() => number.to_string().replace("inf", "∞"),
-        0.0 => "0".to_owned(),
-        m if !(1e-3..1e6).contains(&m) => format!("{number:.1e}"),
-        m => {
-            let whole = m.log10().floor() as i32 + 1;
-            let decimals = (DIGITS as i32 - whole.max(0)).clamp(0, 4) as usize;
-            format!("{number:.decimals$}")
-        }
-    };
-    text.replace('-', "−")
 }

@@ -11,11 +11,14 @@ mod read;
 mod symbols;
 
 pub use boxes::Boxed;
-pub(crate) use boxes::Numbers;
 pub use law::Law;
+pub use law::ink_of;
+pub use law::law_name;
 pub use law::laws;
+pub(crate) use law::symbol;
+pub use law::typeset;
 pub use markup::mathml;
-pub use read::Kind;
+pub use read::Letters;
 pub use read::latex;
 pub use read::plain;
 pub use symbols::Symbols;
@@ -50,7 +53,8 @@ impl Math {
     /// By what two writings of the same are known: without spaces, and without the index that counts lights.
     pub fn key(&self) -> String {
         let all = |parts: &[Self]| parts.iter().map(Self::key).collect::<String>();
-        let counts = |lower: &Self| *lower == Self::Symbol('𝑖');
+        let counts =
+            |base: &Self, lower: &Self| *lower == Self::Symbol('𝑖') && *base != Self::Symbol('𝑡');
         match self {
             Self::Row(parts) => all(parts),
             Self::Symbol(letter) | Self::Sign(letter) => letter.to_string(),
@@ -59,7 +63,7 @@ impl Math {
             Self::Fraction(above, below) => format!("{}/{}", above.key(), below.key()),
             Self::Root(inside) => format!("√{}", inside.key()),
             Self::Scripts(base, lower, upper) => {
-                let lower = lower.as_ref().filter(|lower| !counts(lower));
+                let lower = lower.as_ref().filter(|lower| !counts(base, lower));
                 let lower = lower.map_or(String::new(), |lower| format!("_{}", lower.key()));
                 let upper =
                     upper.as_ref().map_or(String::new(), |upper| format!("^{}", upper.key()));
@@ -67,6 +71,16 @@ impl Math {
             }
             Self::Fence(open, inside, close) => format!("{open}{}{close}", inside.key()),
             Self::Matrix(rows) => rows.iter().map(|row| all(row)).collect::<Vec<_>>().join(";"),
+        }
+    }
+
+    /// Whether it has a fraction or a matrix in it.
+    fn is_high(&self) -> bool {
+        match self {
+            Self::Fraction(..) | Self::Matrix(_) => true,
+            Self::Row(parts) => parts.iter().any(Self::is_high),
+            Self::Fence(_, inside, _) | Self::Root(inside) => inside.is_high(),
+            _ => false,
         }
     }
 

@@ -5,7 +5,7 @@ use canvas::MathFont;
 
 /// What a text stands for, which says how its own letter is set: p may be a point or an exponent.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
-pub enum Kind {
+pub enum Letters {
     /// A number, or light.
     Scalar,
     /// A point or a direction.
@@ -14,12 +14,12 @@ pub enum Kind {
 
 /// What is a vector wherever it is told, in each language: set bold and upright, as on the slides. All
 /// other letters are slanted, and words upright.
-const VECTORS: [&str; 12] =
-    ["c", "d", "h", "l", "n", "center", "centro", "light", "luz", "normal", "point", "ponto"];
+const VECTORS: [&str; 10] =
+    ["c", "d", "h", "l", "n", "center", "centro", "normal", "point", "ponto"];
 
-/// What is a vector beside other vectors of its kind: the corners of a triangle, not what a quadratic
-/// equation calls so.
-const CORNERS: [&str; 2] = ["a", "b"];
+/// What is a vector where that is told under its name, or beside the other corners of a triangle: a
+/// quadratic equation has numbers that are called so, and a light's name is a word.
+const CORNERS: [&str; 4] = ["a", "b", "light", "luz"];
 
 /// What is a vector unless a number is told under that name.
 const EITHER: [&str; 2] = ["p", "v"];
@@ -48,12 +48,14 @@ const NAMES: [(&str, char); 19] = [
 ];
 
 /// What is told, as `kind` is meant.
-pub fn plain(text: &str, kind: Kind) -> Math {
+pub fn plain(text: &str, kind: Letters) -> Math {
     let mut left = text.split('=').next().unwrap_or(text).trim();
     // The name of one of a point's numbers.
     left = left.split_once('.').map_or(left, |(point, _)| point);
     let corners = text.contains(['|', 'γ']);
-    let mut reader = Reader { rest: text, latex: false, corners, left, kind, script: false };
+    let picture = text.contains("u, v");
+    let mut reader =
+        Reader { rest: text, latex: false, corners, picture, left, kind, script: false };
     Math::Row(reader.row(None))
 }
 
@@ -63,8 +65,9 @@ pub fn latex(text: &str) -> Math {
         rest: text,
         latex: true,
         corners: false,
+        picture: false,
         left: "",
-        kind: Kind::Scalar,
+        kind: Letters::Scalar,
         script: false,
     };
     Math::Row(reader.row(None))
@@ -91,9 +94,11 @@ struct Reader<'a> {
     latex: bool,
     /// Whether a and b are a triangle's.
     corners: bool,
+    /// Whether v is a place on the picture.
+    picture: bool,
     /// The name before the =, and what it stands for.
     left: &'a str,
-    kind: Kind,
+    kind: Letters,
     /// Within an index or an exponent.
     script: bool,
 }
@@ -155,7 +160,9 @@ impl Reader<'_> {
     /// How far apart two things are that a space is told between.
     fn gap(&self, last: &Math, next: &Math, close: Option<&str>) -> f32 {
         let is_word = |part: &Math| match part {
-            Math::Word(word) => word.chars().all(char::is_alphabetic),
+            Math::Word(word) => {
+                word.chars().all(|letter| letter.is_alphanumeric() || letter == '.')
+            }
             Math::Scripts(base, ..) => matches!(&**base, Math::Word(_)),
             _ => false,
         };
@@ -239,6 +246,7 @@ impl Reader<'_> {
                 self.spaces();
                 Math::Root(bare(self.scripted()))
             }
+            '.' => Math::Word(".".to_owned()),
             '-' => Math::Sign('−'),
             'Σ' => Math::Sign('∑'),
             sign => Math::Sign(sign),
@@ -263,12 +271,13 @@ impl Reader<'_> {
     }
 
     fn is_vector(&self, name: &str) -> bool {
-        let own = || self.kind == Kind::Vector;
+        let own = || self.kind == Letters::Vector;
         match name {
             _ if self.script && name.chars().count() == 1 => false,
             // Else it is a length, as in r².
             "r" => self.rest.starts_with('('),
             _ if CORNERS.contains(&name) && name != self.left => self.corners,
+            "v" if self.picture => false,
             _ if EITHER.contains(&name) && name != self.left => true,
             _ if CORNERS.contains(&name) || EITHER.contains(&name) => own(),
             _ => VECTORS.contains(&name),

@@ -10,6 +10,7 @@ use super::row::REMOVED;
 use super::row::TEXT;
 use crate::Anchor;
 use crate::Area;
+use crate::Boxed;
 use crate::Canvas;
 use crate::Change;
 use crate::CodeFont;
@@ -17,6 +18,7 @@ use crate::CodeKind;
 use crate::CodeLine;
 use crate::Font;
 use crate::Ink;
+use crate::Math;
 use common::LineName;
 
 const COMMENT: Ink = Ink::new(134, 150, 172);
@@ -24,6 +26,9 @@ const QUOTED: Ink = Ink::new(214, 178, 138);
 const KEYWORD: Ink = Ink::new(150, 184, 240);
 /// What did not run.
 const IDLE: Ink = Ink::new(96, 104, 120);
+
+/// Where the letters of a line stand, in ems from its top.
+const BASELINE: f32 = 0.93;
 
 /// So many letters a line that goes on is indented by, and a line's number takes.
 const HANGING: usize = 4;
@@ -43,8 +48,7 @@ pub(super) struct CodeRow {
 /// An equation and its numbers.
 #[derive(Clone, Debug)]
 pub(super) struct Note {
-    pub(super) equation: &'static str,
-    pub(super) ink: Ink,
+    pub(super) equation: Math,
     pub(super) value: String,
     pub(super) name: Option<LineName>,
     pub(super) altered: bool,
@@ -179,8 +183,15 @@ impl CodeRow {
 }
 
 impl Note {
+    /// On one line of text, whatever fractions it has.
+    fn set(&self, em: f32) -> Boxed {
+        let set = Boxed::inline(&self.equation, em);
+        let part = LINE * em / set.height();
+        if part >= 1.0 { set } else { Boxed::inline(&self.equation, part * em) }
+    }
+
     fn width(&self, em: f32) -> f32 {
-        Font::width(em, self.equation) + 0.6 * em + Font::width(em, &self.value)
+        self.set(em).width + 0.6 * em + Font::width(em, &self.value)
     }
 
     fn draw(&self, canvas: &mut Canvas<'_>, at: (f32, f32), em: f32, is_idle: bool) {
@@ -190,8 +201,10 @@ impl Note {
             (false, false) => TEXT,
         };
         canvas.text(at, Anchor::TopRight, em, number, &self.value);
-        let left = at.0 - 0.6 * em - Font::width(em, &self.value);
-        canvas.text((left, at.1), Anchor::TopRight, em, self.ink, self.equation);
+        let set = self.set(em);
+        let left = at.0 - 0.6 * em - Font::width(em, &self.value) - set.width;
+        let ink = if is_idle { IDLE } else { FAINT };
+        set.draw(canvas, (left, at.1 + BASELINE * em), ink, is_idle);
     }
 }
 

@@ -7,7 +7,9 @@ use super::layout::Layout;
 use super::row::ACCENT;
 use super::row::ALTERED;
 use super::row::BACKGROUND;
+use super::row::CHOSEN;
 use super::row::FAINT;
+use super::row::MARGIN;
 use super::row::TEXT;
 use super::row::Target;
 use super::row::draw_text;
@@ -53,6 +55,11 @@ impl Session {
         let altered = self.desk.altered();
         match layout.beside {
             Some(beside) => {
+                if let Some((law, area)) = self.law() {
+                    canvas.fill(area, CHOSEN);
+                    let at = area.inset(MARGIN * layout.em);
+                    law.draw(&mut canvas, (at.left, at.top + law.above), TEXT, false);
+                }
                 if let Some(panel) = self.reading_panel() {
                     let chosen = match self.desk.reading() {
                         Reading::Stops => Some(Target::Listed(self.desk.picked())),

@@ -4,27 +4,35 @@ use super::Session;
 use super::code::CodeRow;
 use super::code::Note;
 use super::explained::Told;
-use super::explained::is_altered;
 use super::layout::Layout;
+use super::layout::split;
 use super::panel::Panel;
-use super::row::ACCENT;
 use super::row::FAINT;
 use super::row::Fold;
+use super::row::MARGIN;
 use super::row::Row;
 use super::row::TEXT;
+use crate::Area;
+use crate::Boxed;
 use crate::Change;
 use crate::CodeLine;
 use crate::CodePart;
 use crate::Group;
+use crate::Letters;
 use crate::Reading;
 use crate::code::file_name;
 use crate::desk::table;
-use crate::short;
-use crate::symbol_ink;
+use crate::latex;
+use crate::plain;
+use crate::rounded;
 use crate::text;
 use crate::translated;
+use crate::typeset;
 use common::Line;
 use common::LineName;
+
+/// How much of what is read of a pixel its law may be.
+const LAW: f32 = 0.45;
 
 impl Session {
     /// The controls; none while the picture is alone.
@@ -37,12 +45,26 @@ impl Session {
 
     pub(super) fn reading_panel(&self) -> Option<Panel> {
         let layout = self.layout();
-        let area = layout.beside?.reading?;
+        let mut area = layout.beside?.reading?;
+        if let Some((_, above)) = self.law() {
+            area = split(area, above.height).1;
+        }
         let em = match self.desk.reading() {
             Reading::Code => Layout::CODE * layout.em,
             _ => layout.em,
         };
         Some(Panel::new(area, em, self.reading_rows(), self.reading_scroll))
+    }
+
+    /// The law with the pinned pixel's numbers, and where it stands: on top of what is read of the pixel.
+    pub(super) fn law(&self) -> Option<(Boxed, Area)> {
+        let layout = self.layout();
+        let area = layout.beside?.reading.filter(|_| self.desk.reading() == Reading::Pixel)?;
+        let margin = MARGIN * layout.em;
+        let room = (area.width - 2.0 * margin, LAW * area.height);
+        let law = self.desk.law()?.set(1.1 * layout.em, room.0, room.1);
+        let height = law.height() + if law.width > 0.0 { 1.2 * margin } else { 0.0 };
+        Some((law, Area { height, ..area }))
     }
 
     /// The controls in their groups.
@@ -52,8 +74,8 @@ impl Session {
             let fold = Fold::Controls(name);
             let open = name.is_empty() || self.is_open(fold, open);
             if !name.is_empty() {
-                let (text, value) = (translated(name), String::new());
-                rows.push(Row::Heading { fold, text, value, open, faint: false, new: false });
+                let text = translated(name).to_owned();
+                rows.push(Row::Heading { fold, text, value: None, open, new: false });
             }
             if open {
                 rows.extend(settings.into_iter().map(Row::Control));
@@ -70,6 +92,8 @@ impl Session {
                 Told {
                     explanation: &explanation,
                     before: before.as_ref(),
+                    program: Some(self.desk.program()),
+                    light: self.desk.setup().chosen("light"),
                     shown: self.desk.shown_line(),
                     what_ifs: self.desk.what_ifs(),
                     folds: &self.folds,
@@ -88,8 +112,11 @@ impl Session {
             Reading::Code => self.code_rows(),
             Reading::Idea => {
                 let lines = self.desk.program().told().1.lines();
-                let ink = |line: &str| if line.starts_with(' ') { ACCENT } else { TEXT };
-                lines.map(|line| Row::Text(line.to_owned(), ink(line))).collect()
+                let row = |line: &str| match line.strip_prefix("  ") {
+                    Some(equation) => Row::Equation(latex(equation)),
+                    None => Row::Text(line.to_owned(), TEXT),
+                };
+                lines.map(row).collect()
             }
         }
     }
@@ -109,7 +136,7 @@ impl Session {
             match (is_rest, same) {
                 (true, true) => rest.extend(lines),
                 (true, false) => {
-                    let open = self.fold_file(&mut rows, file_name(path), format!("+{count}"));
+                    let open = self.fold_file(&mut rows, file_name(path), count);
                     rows.extend(lines.filter(|_| open));
                 }
                 (false, _) => {
@@ -118,26 +145,26 @@ impl Session {
                 }
             }
         }
-        if !rest.is_empty() && self.fold_file(&mut rows, text!("all the rest"), String::new()) {
+        if !rest.is_empty() && self.fold_file(&mut rows, text!("all the rest"), 0) {
             rows.append(&mut rest);
         }
         rows
     }
 
-    /// Adds the heading of code that is read last; whether it is open.
-    fn fold_file(&self, rows: &mut Vec<Row>, text: &'static str, value: String) -> bool {
-        let (fold, new) = (Fold::File(text), !value.is_empty());
+    /// Adds the heading of code that is read last, with how many new lines it has; whether it is open.
+    fn fold_file(&self, rows: &mut Vec<Row>, name: &'static str, new: usize) -> bool {
+        let (fold, text) = (Fold::File(name), name.to_owned());
+        let value = (new > 0).then(|| plain(&format!("+{new}"), Letters::Scalar));
         let open = self.is_open(fold, false);
-        rows.push(Row::Heading { fold, text, value, open, faint: true, new });
+        rows.push(Row::Heading { fold, text, value, open, new: new > 0 });
         open
     }
 
     fn code_row(&self, line: CodeLine, file: Option<&'static str>) -> Row {
         let note = |(line, name): &(Line, Option<LineName>)| Note {
-            equation: translated(line.equation),
-            ink: symbol_ink(line.symbol()).unwrap_or(FAINT),
-            value: short(&line.value),
-            altered: name.as_ref().is_some_and(|name| is_altered(self.desk.what_ifs(), name)),
+            equation: typeset(line),
+            value: rounded(&line.value).join("  "),
+            altered: name.as_ref().is_some_and(|name| self.desk.is_altered(name)),
             name: name.clone(),
         };
         let notes = line.told.iter().map(note).collect();
