@@ -119,7 +119,7 @@ fn below_each_symbol_is_the_place_for_its_number() {
             let inner = under.elements();
             let Some(place) = inner.iter().find(is_place) else { continue };
             let symbol = place.says("data-symbol").unwrap();
-            let is_told = symbol.split('|').any(|symbol| told.contains(&symbol));
+            let is_told = symbol.split(scripts::or()).any(|symbol| told.contains(&symbol));
             let written = symbol.replace("t_max", "t*").replace("t₁|t", "t");
             let same = read_out(&under.text()) == read_out(&written);
             assert!(is_told && same, "step {number}: {symbol} below {}", under.text());

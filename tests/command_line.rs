@@ -171,38 +171,6 @@ fn the_lecture_draws_what_its_steps_do_and_two_of_them_at_once() {
     assert!(difference == combined(&|_, a, b| eight_times(a, b)));
 }
 
-/// Whatever was done by hand.
-#[test]
-fn the_command_that_a_desk_gives_draws_what_is_seen_there() {
-    for (index, name) in STEPS.iter().enumerate() {
-        let first = [Act::Size(size(96, 54)), Act::Orbit(7.3, -3.1), Act::Zoom(0.93)];
-        let mut desk = after(Desk::new(programs(), index), &first);
-        for setting in setup(index).list() {
-            act(&mut desk, Act::Nudge(setting.name, 1.1));
-        }
-        let onlooker = [Act::Outside, set("outside.elevation", "40"), set("fov", "50")];
-        for acts in [
-            &[][..],
-            &[Act::Divide],
-            &[Act::DivideAt(0.3)],
-            &[Act::Difference, Act::Difference],
-            &[Act::Pin((0.55, 0.6))],
-            &onlooker,
-            &[Act::Outside, Act::Vectors],
-        ] {
-            desk = after(desk, acts);
-            let (command, size) = (desk.command(), desk.picture_size());
-            let typed = command.strip_prefix("cargo run -p ").expect("a command");
-            let (program, arguments) = typed.split_once(" -- ").expect("arguments");
-            let session = Session::new(desk);
-            let expected = session.written(pictures_of(session.desk(), size));
-            let arguments = format!(" {arguments}").replace(&format!(" -o {program}.png"), "");
-            assert!(drawn(program, &arguments) == expected, "{name}: {command}");
-            desk = after(Desk::new(programs(), 0), &[Act::Open(address(session.desk()))]);
-        }
-    }
-}
-
 /// The writing end of a pipe that nobody reads.
 fn closed_pipe() -> Stdio {
     let (_, writer) = io::pipe().expect("a pipe");

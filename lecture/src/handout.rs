@@ -131,7 +131,7 @@ fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str) -> Vec<Event<'a>> {
     let number = &name[..6];
     let mut events: Vec<Event<'a>> = Vec::new();
     let (mut links, mut code) = (Vec::new(), None);
-    let mut seen = equation::Seen::default();
+    let mut told = equation::told(name);
     // A figure's file and text, and where the table that it is in begins.
     let mut table = 0;
     let mut caption: Option<(String, String)> = None;
@@ -150,7 +150,7 @@ fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str) -> Vec<Event<'a>> {
             Event::Html(html) | Event::InlineHtml(html)
                 if html.trim_start().starts_with("<!--") => {}
             Event::DisplayMath(latex) => {
-                events.push(Event::InlineHtml(equation::block(&latex, &mut seen).into()));
+                events.push(Event::InlineHtml(equation::block(&latex, &mut told).into()));
             }
             Event::InlineMath(latex) => {
                 events.push(Event::InlineHtml(equation::inline(&latex).into()));

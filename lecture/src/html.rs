@@ -37,6 +37,9 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// glam computes with it, and every browser has had it since 2023.
 const FLAGS: &str = "-Ctarget-feature=+simd128";
 
+/// What equations are set in, as no phone has a font for them.
+const FONT: &[u8] = include_bytes!("../../common/canvas/font/StixTwoMath.woff2");
+
 /// What the page runs.
 const SCRIPT: &str = concat!(
     "\"use strict\";\n",
@@ -73,7 +76,11 @@ pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
     packed.write_all(program)?;
     let wasm = letters(&packed.finish()?);
     let (mut links, mut articles) = (String::new(), String::new());
-    let mut style = include_str!("../page/style.css").to_owned();
+    let font = STANDARD.encode(FONT);
+    let mut style = format!(
+        "@font-face {{ font-family: Mathematics; src: url(data:font/woff2;base64,{font}); }}\n{}",
+        include_str!("../page/style.css")
+    );
     for program in PROGRAMS {
         let (folder, number) = (root.join(program.name), &program.name[4..6]);
         let _ = writeln!(

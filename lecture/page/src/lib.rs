@@ -22,6 +22,8 @@ use show::Language;
 use show::Program;
 use show::Reading;
 use show::Size;
+use show::mathml;
+use show::plain;
 use show::text;
 use show::translated;
 
@@ -346,5 +348,7 @@ fn setting(setting: show::Setting) -> Setting {
     };
     let (text, fraction, takes) = (control.text(), control.fraction(), control.takes());
     let options = control.options();
-    Setting { name, label: control.name, kind, text, fraction, takes, options, changed }
+    let meant = if control.axis.is_some() { show::Letters::Vector } else { show::Letters::Scalar };
+    let label = mathml(&plain(&control.name, meant), false, &mut |_, _| None);
+    Setting { name, label, kind, text, fraction, takes, options, changed }
 }

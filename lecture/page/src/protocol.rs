@@ -197,6 +197,7 @@ pub(crate) struct Group {
 pub(crate) struct Setting {
     /// What it is called among all, and what it is called in its group.
     pub(crate) name: String,
+    /// In MathML.
     pub(crate) label: String,
     pub(crate) kind: &'static str,
     pub(crate) text: String,
@@ -210,9 +211,10 @@ pub(crate) struct Setting {
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 pub(crate) enum Part {
-    /// A value: how its equation is shown, its symbol's colour, its numbers.
+    /// A value: its equation as it is read out and in MathML, its symbol's colour, its numbers.
     Line {
         shown: &'static str,
+        math: String,
         ink: Option<String>,
         values: Vec<String>,
         /// The equation and what it is about, if it can be a picture.

@@ -6,11 +6,12 @@ use crate::Code;
 use crate::Language;
 use crate::Letters;
 use crate::Make;
-use crate::Math;
 use crate::Size;
 use crate::laws;
+use crate::math::symbol;
 use crate::plain;
 use crate::translated;
+use common::Line;
 
 /// A step as a program, or one of its figures.
 #[derive(Clone)]
@@ -70,8 +71,9 @@ impl Program {
         laws(told.map_or(self.handout, |[.., handout]| handout))
     }
 
-    /// Whether its handout has a line that gives `symbol` a meaning.
-    pub fn explains(&self, symbol: &Math) -> bool {
+    /// Whether its handout has a row that gives the symbol of `line` a meaning: what is new has one.
+    pub(crate) fn explains(&self, line: &Line) -> bool {
+        let symbol = symbol(line).key();
         let symbols = self.handout.lines().filter_map(|line| line.strip_prefix("| "));
         let mut symbols =
             symbols.filter_map(|row| row.split(" | ").next()).flat_map(|names| names.split(", "));
@@ -79,7 +81,7 @@ impl Program {
             let name = name.replace(['*', '\\'], "");
             [Letters::Scalar, Letters::Vector]
                 .iter()
-                .any(|kind| plain(&name, *kind).key() == symbol.key())
+                .any(|letters| plain(&name, *letters).key() == symbol)
         };
         symbols.any(is_it)
     }

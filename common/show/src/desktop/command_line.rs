@@ -68,7 +68,7 @@ fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
         }
         Err(error) => return usage(&refusal(&error)),
     };
-    let (begins, stop) = (tours::begins(suite, &matches), given::<u16>(&matches, "stop"));
+    let (begins, stop) = (tours::begins(suite, &matches), given::<usize>(&matches, "stop"));
     let page = given::<PathBuf>(&matches, "page").zip(suite.page);
     let checks = given::<bool>(&matches, "check-tour") == Some(true);
     let mut all = Vec::new();
@@ -89,7 +89,7 @@ fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
     let current = given::<usize>(&matches, "step").map_or(0, |step| step - 1);
     let program = &suite.programs[current];
     let mut desk = suite.desk(current).touring(all);
-    if let Some(Err(refusal)) = stop.map(|stop| desk.act(Act::Stop(stop.into()))) {
+    if let Some(Err(refusal)) = stop.map(|stop| desk.act(Act::Stop(stop))) {
         return usage(&refusal.to_string());
     }
     if let Err(error) = check_loop(desk.setup().step()) {

@@ -49,14 +49,14 @@ const BESIDE: f32 = 1.12;
 const AXIS: f32 = 0.258;
 const BAR: f32 = 0.06;
 const SCRIPT: f32 = 0.72;
-const NUMBER: f32 = 0.66;
-const LINE: f32 = 0.74;
+const NUMBER: f32 = 0.64;
+const LINE: f32 = 0.7;
 
 /// The colour of a number that hangs below what has none.
 const NUMBERS: Ink = Ink::new(255, 212, 121);
 
 /// The colour of what has this [`key`](Math::key), by the name under which it is told.
-fn ink(key: &str) -> Option<Ink> {
+pub(super) fn ink(key: &str) -> Option<Ink> {
     let told = |letter: char| match u32::from(letter) {
         code @ 0x1D41A..=0x1D433 => char::from_u32(code - 0x1D41A + u32::from('a')),
         0x1D6FC => Some('α'),

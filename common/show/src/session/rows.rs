@@ -18,10 +18,12 @@ use crate::Change;
 use crate::CodeLine;
 use crate::CodePart;
 use crate::Group;
+use crate::Letters;
 use crate::Reading;
 use crate::code::file_name;
 use crate::desk::table;
 use crate::latex;
+use crate::plain;
 use crate::rounded;
 use crate::text;
 use crate::translated;
@@ -30,7 +32,7 @@ use common::Line;
 use common::LineName;
 
 /// How much of what is read of a pixel its law may be.
-const LAW: f32 = 0.5;
+const LAW: f32 = 0.45;
 
 impl Session {
     /// The controls; none while the picture is alone.
@@ -60,7 +62,7 @@ impl Session {
         let area = layout.beside?.reading.filter(|_| self.desk.reading() == Reading::Pixel)?;
         let margin = MARGIN * layout.em;
         let room = (area.width - 2.0 * margin, LAW * area.height);
-        let law = self.desk.law()?.set(1.2 * layout.em, room.0, room.1);
+        let law = self.desk.law()?.set(1.1 * layout.em, room.0, room.1);
         let height = law.height() + if law.width > 0.0 { 1.2 * margin } else { 0.0 };
         Some((law, Area { height, ..area }))
     }
@@ -72,8 +74,8 @@ impl Session {
             let fold = Fold::Controls(name);
             let open = name.is_empty() || self.is_open(fold, open);
             if !name.is_empty() {
-                let (text, value) = (translated(name), String::new());
-                rows.push(Row::Heading { fold, text, value, open, faint: false, new: false });
+                let text = translated(name).to_owned();
+                rows.push(Row::Heading { fold, text, value: None, open, new: false });
             }
             if open {
                 rows.extend(settings.into_iter().map(Row::Control));
@@ -90,6 +92,8 @@ impl Session {
                 Told {
                     explanation: &explanation,
                     before: before.as_ref(),
+                    program: Some(self.desk.program()),
+                    light: self.desk.setup().chosen("light"),
                     shown: self.desk.shown_line(),
                     what_ifs: self.desk.what_ifs(),
                     folds: &self.folds,
@@ -132,7 +136,7 @@ impl Session {
             match (is_rest, same) {
                 (true, true) => rest.extend(lines),
                 (true, false) => {
-                    let open = self.fold_file(&mut rows, file_name(path), format!("+{count}"));
+                    let open = self.fold_file(&mut rows, file_name(path), count);
                     rows.extend(lines.filter(|_| open));
                 }
                 (false, _) => {
@@ -141,17 +145,18 @@ impl Session {
                 }
             }
         }
-        if !rest.is_empty() && self.fold_file(&mut rows, text!("all the rest"), String::new()) {
+        if !rest.is_empty() && self.fold_file(&mut rows, text!("all the rest"), 0) {
             rows.append(&mut rest);
         }
         rows
     }
 
-    /// Adds the heading of code that is read last; whether it is open.
-    fn fold_file(&self, rows: &mut Vec<Row>, text: &'static str, value: String) -> bool {
-        let (fold, new) = (Fold::File(text), !value.is_empty());
+    /// Adds the heading of code that is read last, with how many new lines it has; whether it is open.
+    fn fold_file(&self, rows: &mut Vec<Row>, name: &'static str, new: usize) -> bool {
+        let (fold, text) = (Fold::File(name), name.to_owned());
+        let value = (new > 0).then(|| plain(&format!("+{new}"), Letters::Scalar));
         let open = self.is_open(fold, false);
-        rows.push(Row::Heading { fold, text, value, open, faint: true, new });
+        rows.push(Row::Heading { fold, text, value, open, new: new > 0 });
         open
     }
 
