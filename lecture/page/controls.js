@@ -55,7 +55,7 @@ class Controls {
     const output = element("output", {});
     output.htmlFor = id;
     const row = element("div", { className: "control", id: `${this.prefix}control-${name}` });
-    row.append(element("label", { htmlFor: id }, ...symbol(label)), input, output, reset);
+    row.append(element("label", { htmlFor: id, innerHTML: label }), input, output, reset);
     return row;
   }
 
@@ -89,7 +89,7 @@ function showControls() {
   answers.show(altered ? groups.slice(0, 1) : []);
   controls.show(altered ? groups.slice(1) : groups);
   $("answers").hidden = !altered;
-  if (altered) $("answers").querySelector("summary").textContent = altered;
+  if (altered) $("answers").querySelector("summary").replaceChildren(...symbol(altered));
   if (count() <= before) return false;
   // Keys act on it, as the first that can be selected.
   chosen = "";

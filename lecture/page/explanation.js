@@ -11,7 +11,7 @@ function explain() {
   $("lines").hidden = !pin;
   $("pinned").textContent = pin ? `${text("The pixel")} (${pin.join(", ")})` : text("The pixel");
   const { parts, symbols, seen } = asked("explain") || { parts: [], symbols: [] };
-  const lines = seen ? [...parts, { line: { shown: "seen", values: seen.map(String) } }] : parts;
+  const lines = seen ? [...parts, { line: { math: "seen", values: seen.map(String) } }] : parts;
   const shape = JSON.stringify([language, lines], (key, value) =>
     (PASSING.includes(key) ? undefined : value));
   if (shape !== told) {
@@ -60,7 +60,7 @@ function reveal(row) {
 
 /** What stands at each place for a value of a part, in order. */
 function valuesOf({ line, scope }) {
-  if (scope) return [symbol(scope.outcome), ...scope.parts.flatMap(valuesOf)];
+  if (scope) return [[scope.outcome], ...scope.parts.flatMap(valuesOf)];
   return [[line.values.map((number) => number.padStart(9)).join(" ").trimStart()]];
 }
 
@@ -92,7 +92,7 @@ function tellAll(parts, path) {
 }
 
 /** A line that can be a picture is a button, and one that could have another value has one. */
-function tellLine({ shown, ink, name, open }) {
+function tellLine({ shown, math, ink, name, open }) {
   const term = element("dt", {});
   if (ink) {
     term.className = "inked";
@@ -100,10 +100,10 @@ function tellLine({ shown, ink, name, open }) {
   }
   const row = element("div", {}, term, place("dd", ""));
   if (!name) {
-    term.append(...symbol(shown));
+    term.innerHTML = math;
     return row;
   }
-  const show = element("button", { type: "button" }, ...symbol(shown));
+  const show = element("button", { type: "button", innerHTML: math });
   show.setAttribute("aria-pressed", "false");
   show.dataset.line = JSON.stringify(name);
   term.append(show);
@@ -125,7 +125,7 @@ function askButton(shown, name) {
   return ask;
 }
 
-const tellSeen = () => tellLine({ shown: text("seen, sRGB 0 to 255") });
+const tellSeen = () => tellLine({ math: text("seen, sRGB 0 to 255") });
 
 /** The light or object whose numbers stand in the equation, if there are several. */
 let numbersOf = "";
@@ -147,11 +147,6 @@ function chooseNumbers([once, ...each]) {
   };
   const values = new Map([...(once ? once.values : []), ...(chosen ? chosen.values : [])]);
   for (const place of $("formula").querySelectorAll("[data-symbol]")) {
-    const found = place.dataset.symbol.split("|").find((name) => values.has(name));
-    place.textContent = found ? values.get(found).map(short).join("\n") : "";
+    place.textContent = (values.get(place.dataset.symbol) || []).join("\n");
   }
 }
-
-/** A number with four digits; words as they are. */
-const short = (number) =>
-  (isNaN(number) ? number : String(Number(Number(number).toPrecision(4))).replace("-", "−"));

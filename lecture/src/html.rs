@@ -37,6 +37,9 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// glam computes with it, and every browser has had it since 2023.
 const FLAGS: &str = "-Ctarget-feature=+simd128";
 
+/// What equations are set in, as no phone has a font for them.
+const FONT: &[u8] = include_bytes!("../../common/canvas/font/StixTwoMath.woff2");
+
 /// What the page runs.
 const SCRIPT: &str = concat!(
     "\"use strict\";\n",
@@ -48,6 +51,7 @@ const SCRIPT: &str = concat!(
     include_str!("../page/stage.js"),
     include_str!("../page/step.js"),
     include_str!("../page/explanation.js"),
+    include_str!("../page/code.js"),
     include_str!("../page/desk.js"),
     include_str!("../page/controls.js"),
     include_str!("../page/figures.js"),
@@ -66,23 +70,24 @@ fn root() -> &'static Path {
 ///
 /// # Errors
 ///
-/// When a handout, a diff or a picture cannot be read.
+/// When a handout or a picture cannot be read.
 pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
     let root = root();
     let mut packed = GzEncoder::new(Vec::new(), Compression::best());
     packed.write_all(program)?;
     let wasm = letters(&packed.finish()?);
     let (mut links, mut articles) = (String::new(), String::new());
-    let mut style = include_str!("../page/style.css").to_owned();
+    let font = STANDARD.encode(FONT);
+    let mut style = format!(
+        "@font-face {{ font-family: Mathematics; src: url(data:font/woff2;base64,{font}); }}\n{}",
+        include_str!("../page/style.css")
+    );
     for program in PROGRAMS {
         let (folder, number) = (root.join(program.name), &program.name[4..6]);
         let _ = writeln!(
             links,
             "<li><a href=\"#step{number}\"><b>{number}</b> <span data-step=\"{number}\"></span></a></li>"
         );
-        let difference = root.join("tests/diffs").join(program.name).with_extension("diff");
-        // There is none of the first step.
-        let difference = fs::read_to_string(difference).unwrap_or_default();
         for language in Language::all() {
             let file = match language {
                 Language::ENGLISH => "README.md".to_owned(),
@@ -90,13 +95,6 @@ pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
             };
             let handout = handout::read(&folder.join(file), program.name)?;
             articles.push_str(&article(&handout, number, language.tag()));
-        }
-        if !difference.is_empty() {
-            let _ = writeln!(
-                articles,
-                "<article id=\"diff{number}\"><details class=\"more\"><summary><h3 data-text=\"What is new in the code\">What is new in the code</h3></summary>{}</details></article>",
-                handout::difference(&difference)
-            );
         }
         stills(&folder.join("figures"), &mut style)?;
     }

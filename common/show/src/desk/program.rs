@@ -6,11 +6,12 @@ use crate::Code;
 use crate::Language;
 use crate::Letters;
 use crate::Make;
-use crate::Math;
 use crate::Size;
 use crate::laws;
+use crate::math::symbol;
 use crate::plain;
 use crate::translated;
+use common::Line;
 
 /// A step as a program, or one of its figures.
 #[derive(Clone)]
@@ -64,22 +65,34 @@ impl Program {
         }
     }
 
+    /// The titles of the slides that its handout is about.
+    pub fn slides_of(handout: &str) -> String {
+        let mut paragraphs = handout.split("\n\n");
+        let slides = paragraphs.find_map(|paragraph| paragraph.trim().strip_prefix("Slides: "));
+        // The sentence after them is about the background.
+        let slides = slides.and_then(|slides| slides.split(". ").next()).unwrap_or_default();
+        slides.trim_end_matches('.').replace('\n', " ")
+    }
+
     /// The equations that are its law, as its handout has them first, in LaTeX.
     pub fn law(&self) -> Vec<&'static str> {
         let told = self.texts.get(Language::spoken().place());
         laws(told.map_or(self.handout, |[.., handout]| handout))
     }
 
-    /// Whether its handout has a line that gives `symbol` a meaning.
-    pub fn explains(&self, symbol: &Math) -> bool {
+    /// Whether its handout has a row that gives the symbol of `line` a meaning: what is new has one.
+    pub(crate) fn explains(&self, line: &Line) -> bool {
+        let symbol = symbol(line).key();
         let symbols = self.handout.lines().filter_map(|line| line.strip_prefix("| "));
-        let mut symbols =
-            symbols.filter_map(|row| row.split(" | ").next()).flat_map(|names| names.split(", "));
+        // What is known from before has no code of its own there.
+        let new = symbols
+            .filter_map(|row| row.split_once(" | ").filter(|(_, rest)| rest.starts_with('`')));
+        let mut symbols = new.flat_map(|(names, _)| names.split(", "));
         let is_it = |name: &str| {
             let name = name.replace(['*', '\\'], "");
             [Letters::Scalar, Letters::Vector]
                 .iter()
-                .any(|kind| plain(&name, *kind).key() == symbol.key())
+                .any(|letters| plain(&name, *letters).key() == symbol)
         };
         symbols.any(is_it)
     }

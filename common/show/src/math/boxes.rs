@@ -1,5 +1,6 @@
 //! Where each letter of an equation stands.
 
+use super::Law;
 use super::Math;
 use crate::Area;
 use crate::Canvas;
@@ -49,14 +50,14 @@ const BESIDE: f32 = 1.12;
 const AXIS: f32 = 0.258;
 const BAR: f32 = 0.06;
 const SCRIPT: f32 = 0.72;
-const NUMBER: f32 = 0.66;
-const LINE: f32 = 0.74;
+const NUMBER: f32 = 0.64;
+const LINE: f32 = 0.7;
 
 /// The colour of a number that hangs below what has none.
 const NUMBERS: Ink = Ink::new(255, 212, 121);
 
 /// The colour of what has this [`key`](Math::key), by the name under which it is told.
-fn ink(key: &str) -> Option<Ink> {
+pub(super) fn ink(key: &str) -> Option<Ink> {
     let told = |letter: char| match u32::from(letter) {
         code @ 0x1D41A..=0x1D433 => char::from_u32(code - 0x1D41A + u32::from('a')),
         0x1D6FC => Some('α'),
@@ -83,12 +84,9 @@ impl Boxed {
         if part >= 1.0 { set } else { Self::inline(math, em * part.max(0.5)) }
     }
 
-    /// A line of `math` as it stands alone, smaller where it would be wider than `width`.
+    /// `math` as it stands alone, broken where it would be wider than `width`.
     pub fn display(math: &Math, em: f32, width: f32) -> Self {
-        let style = |size| Style { size, large: true, within: false, numbers: None };
-        let set = style(BESIDE * em).set(math);
-        let part = width / set.width.max(1.0);
-        if part >= 1.0 { set } else { style(BESIDE * em * part.max(0.4)).set(math) }
+        Law::of(math).set(BESIDE * em, width, f32::INFINITY)
     }
 
     /// Draws it with the left end of its baseline at `at`: symbols in their colours, all else in `ink`; or
@@ -227,7 +225,7 @@ impl<'a> Style<'a> {
         };
         let Math::Sign(sign) = parts[place] else {
             let apart = match parts[place] {
-                Math::Word(_) => 0.17,
+                Math::Word(ref word) if word.starts_with(char::is_alphabetic) => 0.17,
                 Math::Fraction(..) => 0.06,
                 _ => 0.0,
             };

@@ -7,6 +7,7 @@ use super::boxes::Style;
 use super::latex;
 use super::plain;
 use super::symbols;
+use crate::Ink;
 use crate::rounded;
 use crate::translated;
 use common::Explanation;
@@ -17,13 +18,21 @@ use common::Value;
 pub struct Law {
     equations: Vec<Math>,
     told: Vec<(String, Vec<String>)>,
-    /// Whose numbers they are, where the same is told of several lights.
-    light: Option<&'static str>,
+    /// Whose numbers they are, and its number, where the same is told of several lights.
+    light: Option<(usize, &'static str)>,
 }
 
 /// What an equation calls by another name than its step: the closest hit is where rays end then, and of
 /// two roots the first is the one that is meant.
 const CALLED: [(&str, &str); 2] = [("𝑡^∗", "𝑡_max"), ("𝑡", "𝑡_1")];
+
+/// By which key is told what an equation has under this one, if it is.
+pub fn law_name(key: &str, is_told: impl Fn(&str) -> bool) -> Option<&str> {
+    let called = || CALLED.iter().find(|(name, _)| *name == key).map(|(_, told)| *told);
+    // Where rays end is another place with each hit.
+    let name = Some(key).filter(|key| is_told(key) && *key != "𝑡_max");
+    name.or_else(|| called().filter(|told| is_told(told)))
+}
 
 /// How small an equation gets before it is cut, in parts of its size.
 const LEAST: f32 = 0.62;
@@ -39,6 +48,16 @@ fn kind(line: &Line) -> Letters {
     if matches!(line.value, Value::Vector(_)) { Letters::Vector } else { Letters::Scalar }
 }
 
+/// What a line gives a value to.
+pub(crate) fn symbol(line: &Line) -> Math {
+    plain(line.symbol(), kind(line))
+}
+
+/// The colour of the symbol that a line gives a value to, if it has one of its own.
+pub fn ink_of(line: &Line) -> Option<Ink> {
+    super::boxes::ink(&symbol(line).key())
+}
+
 /// What a line tells, as a slide has it.
 pub fn typeset(line: &Line) -> Math {
     plain(translated(line.equation), kind(line))
@@ -46,31 +65,33 @@ pub fn typeset(line: &Line) -> Math {
 
 impl Law {
     /// The law in `latex`, with what `explanation` tells; of several lights what is told of `light`.
-    pub fn new(equations: &[&str], explanation: &Explanation, light: Option<&str>) -> Self {
-        let all = symbols(explanation);
+    pub fn new(equations: &[&str], explanation: Option<&Explanation>, light: Option<&str>) -> Self {
+        let all = explanation.map_or(Vec::new(), symbols);
         let (once, each) = all.split_at(1.min(all.len()));
-        let chosen = each.iter().find(|its| Some(its.of) == light).or(each.first());
+        let place = each.iter().position(|its| Some(its.of) == light).unwrap_or(0);
+        let chosen = each.get(place);
+        let light = chosen.map(|its| (place + 1, its.of));
         let mut told: Vec<(String, Vec<String>)> = Vec::new();
         for line in once.iter().chain(chosen).flat_map(|its| &its.lines) {
-            let key = plain(line.symbol(), kind(line)).key();
+            let key = symbol(line).key();
             if !matches!(line.value, Value::Word(_)) {
                 told.retain(|(other, _)| *other != key);
                 told.push((key, rounded(&line.value)));
             }
         }
         let equations = equations.iter().map(|text| latex(text)).collect();
-        Self { equations, told, light: chosen.map(|its| its.of) }
+        Self { equations, told, light }
+    }
+
+    /// An equation without numbers.
+    pub(super) fn of(equation: &Math) -> Self {
+        Self { equations: vec![equation.clone()], told: Vec::new(), light: None }
     }
 
     fn numbers(&self, key: &str) -> Option<Vec<String>> {
-        // Where a ray ends changes with each hit.
-        if key == "𝑡_max" {
-            return None;
-        }
         let find = |key: &str| self.told.iter().find(|(told, _)| told == key);
-        let called =
-            || CALLED.iter().find(|(name, _)| *name == key).and_then(|(_, told)| find(told));
-        find(key).or_else(called).map(|(_, numbers)| numbers.clone())
+        let (_, numbers) = find(law_name(key, |key| find(key).is_some())?)?;
+        Some(numbers.clone())
     }
 
     /// What has numbers of its own in it.
@@ -100,8 +121,10 @@ impl Law {
     }
 
     fn stacked(&self, style: Style<'_>, width: f32) -> Boxed {
-        let (mut set, gap) = (Boxed::default(), 0.35 * style.size);
+        let (mut set, gap) = (Boxed::default(), 0.28 * style.size);
         let (mut left, mut above, mut baseline) = (0.0, 0.0, 0.0);
+        // Where the first line ends.
+        let mut first = (0.0, 0.0);
         for equation in &self.equations {
             let whole = style.set(equation);
             let lines = if whole.width <= width { vec![whole] } else { broken(style, equation) };
@@ -117,13 +140,16 @@ impl Law {
                 let drop = if set.width == 0.0 { line.above } else { set.hang + gap + line.above };
                 (above, baseline, left) = (line.above, drop, indent + line.width);
                 set.put(line, (indent, drop));
+                first = if first.0 == 0.0 { (left, drop) } else { first };
             }
         }
-        if let Some(light) = self.light {
-            let words = plain(&format!("i: {}", translated(light)), Letters::Scalar);
+        if let Some((place, light)) = self.light {
+            let words = plain(&format!("i = {place}: {}", translated(light)), Letters::Scalar);
             let line = Boxed::inline(&words, 0.7 * style.size);
-            let drop = set.hang + gap + line.above;
-            set.put(line, (0.0, drop));
+            // In the corner, if there is room beside the first line.
+            let corner = (width - line.width, first.1);
+            let below = (0.0, set.hang + gap + line.above);
+            set.put(line, if first.0 + style.size < corner.0 { corner } else { below });
         }
         set
     }

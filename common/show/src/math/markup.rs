@@ -2,8 +2,11 @@
 
 use super::Math;
 
-/// `math` in MathML; `place` says what stands under what has that [`key`](Math::key), if anything does.
-pub fn mathml(math: &Math, display: bool, place: &mut dyn FnMut(&str) -> Option<String>) -> String {
+/// What stands under what has this [`key`](Math::key), within a fraction or not; nothing under most.
+type Place<'a> = &'a mut dyn FnMut(&str, bool) -> Option<String>;
+
+/// `math` in MathML, with what `place` says under its parts.
+pub fn mathml(math: &Math, display: bool, place: Place<'_>) -> String {
     let display = if display { " display=\"block\"" } else { "" };
     format!("<math{display}>{}</math>", part(math, place))
 }
@@ -12,7 +15,7 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
-fn row(parts: &[Math], place: &mut dyn FnMut(&str) -> Option<String>) -> String {
+fn row(parts: &[Math], place: Place<'_>) -> String {
     let mut text = String::new();
     let mut at = 0;
     while at < parts.len() {
@@ -21,14 +24,24 @@ fn row(parts: &[Math], place: &mut dyn FnMut(&str) -> Option<String>) -> String 
             let spaced =
                 [at, at + count - 1].iter().any(|end| matches!(parts[*end], Math::Space(_)));
             let key: String = parts[at..at + count].iter().map(Math::key).collect();
-            if spaced || key.is_empty() { None } else { place(&key).map(|under| (count, under)) }
+            if spaced || key.is_empty() {
+                None
+            } else {
+                place(&key, false).map(|under| (count, under))
+            }
         });
         let count = told.as_ref().map_or(1, |(count, _)| *count);
         let inner: String = match told {
-            Some(_) => parts[at..at + count].iter().map(|it| part(it, &mut |_| None)).collect(),
+            Some(_) => parts[at..at + count].iter().map(|it| part(it, &mut |_, _| None)).collect(),
             None => part(&parts[at], place),
         };
         text += &match told {
+            // A brace says that the number is that of the whole.
+            Some((count, under)) if count > 1 || matches!(parts[at], Math::Fraction(..)) => {
+                format!(
+                    "<munder><munder><mrow>{inner}</mrow><mo stretchy=\"true\">⏟</mo></munder>{under}</munder>"
+                )
+            }
             Some((_, under)) => format!("<munder><mrow>{inner}</mrow>{under}</munder>"),
             None => inner,
         };
@@ -37,7 +50,7 @@ fn row(parts: &[Math], place: &mut dyn FnMut(&str) -> Option<String>) -> String 
     text
 }
 
-fn part(math: &Math, place: &mut dyn FnMut(&str) -> Option<String>) -> String {
+fn part(math: &Math, place: Place<'_>) -> String {
     match math {
         Math::Row(parts) => format!("<mrow>{}</mrow>", row(parts, place)),
         Math::Symbol(letter) => format!("<mi mathvariant=\"normal\">{letter}</mi>"),
@@ -48,12 +61,13 @@ fn part(math: &Math, place: &mut dyn FnMut(&str) -> Option<String>) -> String {
         Math::Sign(sign) => format!("<mo>{}</mo>", escaped(&sign.to_string())),
         Math::Space(ems) => format!("<mspace width=\"{ems}em\"></mspace>"),
         Math::Fraction(above, below) => {
-            format!("<mfrac>{}{}</mfrac>", one(above, place), one(below, place))
+            let mut within = |key: &str, _| place(key, true);
+            format!("<mfrac>{}{}</mfrac>", one(above, &mut within), one(below, &mut within))
         }
         Math::Root(inside) => format!("<msqrt>{}</msqrt>", part(inside, place)),
         Math::Scripts(base, lower, upper) => {
             let script = |script: &Option<Box<Math>>| {
-                script.as_ref().map(|script| one(script, &mut |_| None)).unwrap_or_default()
+                script.as_ref().map(|script| one(script, &mut |_, _| None)).unwrap_or_default()
             };
             let (below, above) = (script(lower), script(upper));
             let name = match (&**base, lower, upper) {
@@ -62,11 +76,12 @@ fn part(math: &Math, place: &mut dyn FnMut(&str) -> Option<String>) -> String {
                 (_, None, _) => "msup",
                 (_, Some(_), Some(_)) => "msubsup",
             };
-            format!("<{name}>{}{below}{above}</{name}>", one(base, &mut |_| None))
+            format!("<{name}>{}{below}{above}</{name}>", one(base, &mut |_, _| None))
         }
         Math::Fence(open, inside, close) => {
+            let high = *open == '[' || inside.is_high();
             let bar = |sign: &char, form: &str| {
-                format!("<mo form=\"{form}\" fence=\"true\" stretchy=\"true\">{sign}</mo>")
+                format!("<mo form=\"{form}\" fence=\"true\" stretchy=\"{high}\">{sign}</mo>")
             };
             let (open, close) = (bar(open, "prefix"), bar(close, "postfix"));
             format!("<mrow>{open}{}{close}</mrow>", row(inside.parts(), place))
@@ -86,6 +101,6 @@ fn part(math: &Math, place: &mut dyn FnMut(&str) -> Option<String>) -> String {
 }
 
 /// As one element.
-fn one(math: &Math, place: &mut dyn FnMut(&str) -> Option<String>) -> String {
+fn one(math: &Math, place: Place<'_>) -> String {
     part(&Math::Row(math.parts().to_vec()), place)
 }

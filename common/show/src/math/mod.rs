@@ -12,7 +12,10 @@ mod symbols;
 
 pub use boxes::Boxed;
 pub use law::Law;
+pub use law::ink_of;
+pub use law::law_name;
 pub use law::laws;
+pub(crate) use law::symbol;
 pub use law::typeset;
 pub use markup::mathml;
 pub use read::Letters;
@@ -68,6 +71,16 @@ impl Math {
             }
             Self::Fence(open, inside, close) => format!("{open}{}{close}", inside.key()),
             Self::Matrix(rows) => rows.iter().map(|row| all(row)).collect::<Vec<_>>().join(";"),
+        }
+    }
+
+    /// Whether it has a fraction or a matrix in it.
+    fn is_high(&self) -> bool {
+        match self {
+            Self::Fraction(..) | Self::Matrix(_) => true,
+            Self::Row(parts) => parts.iter().any(Self::is_high),
+            Self::Fence(_, inside, _) | Self::Root(inside) => inside.is_high(),
+            _ => false,
         }
     }
 

@@ -160,7 +160,9 @@ impl Reader<'_> {
     /// How far apart two things are that a space is told between.
     fn gap(&self, last: &Math, next: &Math, close: Option<&str>) -> f32 {
         let is_word = |part: &Math| match part {
-            Math::Word(word) => word.chars().all(char::is_alphabetic),
+            Math::Word(word) => {
+                word.chars().all(|letter| letter.is_alphanumeric() || letter == '.')
+            }
             Math::Scripts(base, ..) => matches!(&**base, Math::Word(_)),
             _ => false,
         };
@@ -244,6 +246,7 @@ impl Reader<'_> {
                 self.spaces();
                 Math::Root(bare(self.scripted()))
             }
+            '.' => Math::Word(".".to_owned()),
             '-' => Math::Sign('−'),
             'Σ' => Math::Sign('∑'),
             sign => Math::Sign(sign),

@@ -230,7 +230,7 @@ impl Session {
     }
 
     /// Does something on the desk, with what follows from it here.
-    fn do_act(&mut self, act: Act) {
+    pub(super) fn do_act(&mut self, act: Act) {
         let (shown, reading) = (self.shown(), self.desk.reading());
         let what_ifs = self.desk.what_ifs().len();
         self.act(act);
@@ -379,7 +379,7 @@ impl Session {
             aspect: self.desk.picture_size().aspect(),
             text: self.text,
             hidden: self.desk.alone(),
-            reading: self.has_reading(),
+            reading: self.has_reading() || !self.desk.program().handout.is_empty(),
             code: self.desk.reading() == Reading::Code,
             legend: self.desk.shown_line().is_some(),
             curve: self.desk.has_curve(),

@@ -35,10 +35,12 @@ pub(super) const LINE: f32 = 1.2;
 pub(super) const HIGH: f32 = 1.5;
 pub(super) const MARGIN: f32 = 0.6;
 pub(super) const INDENT: f32 = 0.95;
-pub(super) const NUMBER: f32 = 4.3;
+pub(super) const NUMBER: f32 = 4.4;
 /// How much of a number's column is behind its point.
-pub(super) const DECIMALS: f32 = 2.6;
+pub(super) const DECIMALS: f32 = 2.9;
 pub(super) const NAME: f32 = 6.6;
+/// How much smaller an equation may be to stand beside its values.
+const SMALLER: f32 = 0.7;
 /// From this width on controls stand two in a row.
 pub(super) const TWO: f32 = 24.0;
 /// Between the two.
@@ -51,6 +53,10 @@ pub(super) enum Fold {
     Controls(&'static str),
     /// A part of the algorithm in an explanation.
     Section(&'static str),
+    /// The lines of a group that the step before tells too.
+    Old(&'static str, usize),
+    /// What is missed in it.
+    Missed(&'static str),
     /// What is told of one thing within it, counted from 0: several may have the same name.
     Scope(&'static str, usize),
     /// The rest of a file's code.
@@ -72,7 +78,7 @@ pub(super) enum Target {
 #[derive(Clone, Debug)]
 pub(super) enum Row {
     /// What stands over rows that can be folded; new if there is something new below it.
-    Heading { fold: Fold, text: &'static str, value: String, open: bool, faint: bool, new: bool },
+    Heading { fold: Fold, text: String, value: Option<Math>, open: bool, new: bool },
     /// A control with its slider.
     Control(Setting),
     /// An equation and its numbers, or words; new if the step before does not tell it, and altered if
@@ -147,9 +153,12 @@ impl Row {
     pub(super) fn height(&self, em: f32, width: f32) -> f32 {
         let lines = |count: usize| LINE * em * count as f32;
         match self {
-            Self::Heading { fold: Fold::Scope(..), .. } => 1.35 * em,
+            Self::Heading {
+                fold: Fold::Section(_) | Fold::Controls(_) | Fold::File(_), ..
+            } => HIGH * em,
+            Self::Heading { .. } => 1.35 * em,
             Self::Code(code) => code.height(em, width),
-            Self::Heading { .. } | Self::Control(_) | Self::Pixel { .. } => HIGH * em,
+            Self::Control(_) | Self::Pixel { .. } => HIGH * em,
             Self::Line { equation, values, .. } => {
                 Columns::new(equation, values, em, width).height(em)
             }
@@ -171,20 +180,21 @@ impl Row {
         let middle = area.at(Anchor::Left);
         let right = area.at(Anchor::Right);
         match self {
-            Self::Heading { fold, text, value, open, faint, .. } => {
-                let ink = match (fold, faint) {
-                    (_, true) => FAINT,
-                    (Fold::Scope(..), false) => TEXT,
-                    _ => ACCENT,
+            Self::Heading { fold, text, value, open, .. } => {
+                let ink = match fold {
+                    Fold::Section(_) | Fold::Controls(_) => ACCENT,
+                    Fold::Scope(..) => TEXT,
+                    Fold::Old(..) | Fold::Missed(_) | Fold::File(_) => FAINT,
                 };
                 draw_fold(canvas, (area.left + 0.3 * em, middle.1), 0.28 * em, *open, ink);
-                let value_width = Font::width(em, value);
                 let width = area.width - INDENT * em;
                 let at = (area.left + INDENT * em, middle.1);
-                let rest = (width - value_width - 0.4 * em).max(0.4 * width);
-                canvas.text_within(at, Anchor::Left, em, ink, text, rest);
-                let rest = width - rest.min(Font::width(em, text)) - 0.4 * em;
-                canvas.text_within(right, Anchor::Right, em, FAINT, value, rest);
+                canvas.text_within(at, Anchor::Left, em, ink, text, width);
+                if let Some(value) = value {
+                    let rest = width - Font::width(em, text) - 0.5 * em;
+                    let set = Boxed::within(value, 0.9 * em, rest.max(em));
+                    set.draw(canvas, (right.0 - set.width, middle.1 + 0.3 * em), TEXT, false);
+                }
             }
             Self::Control(setting) => {
                 let slider = slider(area, em);
@@ -266,8 +276,14 @@ impl Columns {
         let per_row = ((width / value_width) as usize).clamp(1, 3);
         let rows = values.len().div_ceil(per_row);
         let taken = values.len().min(per_row) as f32 * value_width;
-        let equation = Boxed::within(equation, em, width);
-        let beside = rows > 0 && equation.width + 0.1 * em <= width - taken;
+        let mut set = Boxed::within(equation, em, width);
+        // A little smaller is better than a line more.
+        let room = width - taken - 0.1 * em;
+        let beside = rows > 0 && SMALLER * set.width <= room;
+        if beside && set.width > room {
+            set = Boxed::within(equation, em, room);
+        }
+        let equation = set;
         Self { equation, per_row, width: value_width, rows, beside }
     }
 

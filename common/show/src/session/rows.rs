@@ -4,7 +4,6 @@ use super::Session;
 use super::code::CodeRow;
 use super::code::Note;
 use super::explained::Told;
-use super::explained::is_altered;
 use super::layout::Layout;
 use super::layout::split;
 use super::panel::Panel;
@@ -19,19 +18,21 @@ use crate::Change;
 use crate::CodeLine;
 use crate::CodePart;
 use crate::Group;
+use crate::Letters;
 use crate::Reading;
 use crate::code::file_name;
 use crate::desk::table;
 use crate::latex;
-use crate::short;
-use crate::symbol_ink;
+use crate::plain;
+use crate::rounded;
 use crate::text;
 use crate::translated;
+use crate::typeset;
 use common::Line;
 use common::LineName;
 
 /// How much of what is read of a pixel its law may be.
-const LAW: f32 = 0.5;
+const LAW: f32 = 0.45;
 
 impl Session {
     /// The controls; none while the picture is alone.
@@ -61,7 +62,7 @@ impl Session {
         let area = layout.beside?.reading.filter(|_| self.desk.reading() == Reading::Pixel)?;
         let margin = MARGIN * layout.em;
         let room = (area.width - 2.0 * margin, LAW * area.height);
-        let law = self.desk.law()?.set(1.2 * layout.em, room.0, room.1);
+        let law = self.desk.law().set(1.05 * layout.em, room.0, room.1);
         let height = law.height() + if law.width > 0.0 { 1.2 * margin } else { 0.0 };
         Some((law, Area { height, ..area }))
     }
@@ -73,8 +74,8 @@ impl Session {
             let fold = Fold::Controls(name);
             let open = name.is_empty() || self.is_open(fold, open);
             if !name.is_empty() {
-                let (text, value) = (translated(name), String::new());
-                rows.push(Row::Heading { fold, text, value, open, faint: false, new: false });
+                let text = translated(name).to_owned();
+                rows.push(Row::Heading { fold, text, value: None, open, new: false });
             }
             if open {
                 rows.extend(settings.into_iter().map(Row::Control));
@@ -86,17 +87,22 @@ impl Session {
     /// What is to be read: the pinned pixel's explanation, or another text.
     pub(super) fn reading_rows(&self) -> Vec<Row> {
         match self.desk.reading() {
-            Reading::Pixel => self.desk.explanation().map_or(Vec::new(), |explanation| {
-                let before = self.desk.explanation_before();
-                Told {
-                    explanation: &explanation,
-                    before: before.as_ref(),
-                    shown: self.desk.shown_line(),
-                    what_ifs: self.desk.what_ifs(),
-                    folds: &self.folds,
-                }
-                .rows()
-            }),
+            Reading::Pixel => self.desk.explanation().map_or_else(
+                || self.unpinned(),
+                |explanation| {
+                    let before = self.desk.explanation_before();
+                    Told {
+                        explanation: &explanation,
+                        before: before.as_ref(),
+                        program: Some(self.desk.in_sight().0),
+                        light: self.desk.setup().chosen("light"),
+                        shown: self.desk.shown_line(),
+                        what_ifs: self.desk.what_ifs(),
+                        folds: &self.folds,
+                    }
+                    .rows()
+                },
+            ),
             Reading::Keys => {
                 let several = self.desk.steps() > 1;
                 let rows = table().into_iter().filter(|row| several || !row.lecture);
@@ -133,7 +139,7 @@ impl Session {
             match (is_rest, same) {
                 (true, true) => rest.extend(lines),
                 (true, false) => {
-                    let open = self.fold_file(&mut rows, file_name(path), format!("+{count}"));
+                    let open = self.fold_file(&mut rows, file_name(path), count);
                     rows.extend(lines.filter(|_| open));
                 }
                 (false, _) => {
@@ -142,26 +148,34 @@ impl Session {
                 }
             }
         }
-        if !rest.is_empty() && self.fold_file(&mut rows, text!("all the rest"), String::new()) {
+        if !rest.is_empty() && self.fold_file(&mut rows, text!("all the rest"), 0) {
             rows.append(&mut rest);
         }
         rows
     }
 
-    /// Adds the heading of code that is read last; whether it is open.
-    fn fold_file(&self, rows: &mut Vec<Row>, text: &'static str, value: String) -> bool {
-        let (fold, new) = (Fold::File(text), !value.is_empty());
+    /// What stands where a pixel's explanation will.
+    fn unpinned(&self) -> Vec<Row> {
+        let program = self.desk.in_sight().0;
+        let hint = text!("click a pixel to see its equations · F1 all keys");
+        let said = [(program.told().0, TEXT), (hint, FAINT)];
+        said.into_iter().map(|(text, ink)| Row::Text(format!("{text}\n"), ink)).collect()
+    }
+
+    /// Adds the heading of code that is read last, with how many new lines it has; whether it is open.
+    fn fold_file(&self, rows: &mut Vec<Row>, name: &'static str, new: usize) -> bool {
+        let (fold, text) = (Fold::File(name), name.to_owned());
+        let value = (new > 0).then(|| plain(&format!("+{new}"), Letters::Scalar));
         let open = self.is_open(fold, false);
-        rows.push(Row::Heading { fold, text, value, open, faint: true, new });
+        rows.push(Row::Heading { fold, text, value, open, new: new > 0 });
         open
     }
 
     fn code_row(&self, line: CodeLine, file: Option<&'static str>) -> Row {
         let note = |(line, name): &(Line, Option<LineName>)| Note {
-            equation: translated(line.equation),
-            ink: symbol_ink(line.symbol()).unwrap_or(FAINT),
-            value: short(&line.value),
-            altered: name.as_ref().is_some_and(|name| is_altered(self.desk.what_ifs(), name)),
+            equation: typeset(line),
+            value: rounded(&line.value).join("  "),
+            altered: name.as_ref().is_some_and(|name| self.desk.is_altered(name)),
             name: name.clone(),
         };
         let notes = line.told.iter().map(note).collect();
