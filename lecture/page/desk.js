@@ -50,6 +50,7 @@ function refresh(keeps) {
   if (showControls() || other) choose(selected());
   showStage();
   explain();
+  showCode();
   showClass();
   read(before);
   writeAddress(keeps && before && isElsewhere(before) ? before.address : "");

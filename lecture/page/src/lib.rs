@@ -2,6 +2,7 @@
 //! this crate's `src`.
 
 mod class;
+mod code;
 mod protocol;
 mod told;
 
@@ -29,6 +30,7 @@ use show::text;
 use show::translated;
 
 pub use crate::class::tours;
+use crate::code::listings;
 use crate::protocol::Ask;
 use crate::protocol::Done;
 use crate::protocol::Group;
@@ -104,6 +106,7 @@ impl Page {
                 json(&state(self.desk_of(of.as_deref())?, spoken))
             }
             Ask::Explain => json(&explained(&self.desk)),
+            Ask::Code => json(&listings(&self.desk)),
             Ask::Command => json(&self.desk.command()),
             Ask::Keys => {
                 let listed = show::keys().into_iter().map(|row| row.listed());

@@ -272,20 +272,28 @@ impl Desk {
         self.pinned
     }
 
-    /// How the pinned pixel comes by its colour.
+    /// What is seen just now: the step before, as long as that takes this one's place.
+    pub fn in_sight(&self) -> (&Program, &Setup) {
+        match &self.before {
+            Some(before) if self.holding => (&self.programs[self.current - 1], before),
+            _ => (self.program(), &self.setup),
+        }
+    }
+
+    /// How the pinned pixel comes by its colour in what is seen.
     pub fn explanation(&self) -> Option<Explanation> {
-        self.explanation_of(&self.setup)
+        self.explanation_of(self.in_sight().1)
     }
 
-    /// How it does so in the step before.
+    /// How it does so in the step before that.
     pub fn explanation_before(&self) -> Option<Explanation> {
-        self.explanation_of(self.before.as_ref()?)
+        self.explanation_of(self.before.as_ref().filter(|_| !self.holding)?)
     }
 
-    /// The step's law with the pinned pixel's numbers, in the light that is chosen.
-    pub fn law(&self) -> Option<Law> {
-        let explanation = self.explanation()?;
-        Some(Law::new(&self.program().law(), &explanation, self.setup.chosen("light")))
+    /// The law of what is seen, with the pinned pixel's numbers in the light that is chosen.
+    pub fn law(&self) -> Law {
+        let (program, setup) = self.in_sight();
+        Law::new(&program.law(), self.explanation().as_ref(), setup.chosen("light"))
     }
 
     fn explanation_of(&self, setup: &Setup) -> Option<Explanation> {
