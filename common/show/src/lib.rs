@@ -84,6 +84,8 @@ pub use desktop::Finished;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::LONGEST;
 #[cfg(not(target_family = "wasm"))]
+pub use desktop::MakePage;
+#[cfg(not(target_family = "wasm"))]
 pub use desktop::Mistake;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::Suite;

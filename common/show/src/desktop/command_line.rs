@@ -169,7 +169,11 @@ fn open(suite: &Suite, mut desk: Desk, begins: bool, matches: &ArgMatches) -> Ex
     };
     let title = desk.tours().first().map(|tour| tour.title.clone());
     let remembered = title.map_or(Remembered::default(), |title| Remembered::of(&title));
-    let usual = remembered.size.filter(|_| begins).unwrap_or(desk.picture_size());
+    // minifb knows of no screen: a class opens as large as the last one was left.
+    let usual = match begins {
+        true => remembered.size.or(Size::new(1280, 720).ok()).unwrap_or(Size::DEFAULT),
+        false => desk.picture_size(),
+    };
     let size = matches.get_one::<Size>("size").copied().unwrap_or(usual);
     let place = given::<Place>(matches, "window").unwrap_or(Place { size, at: None });
     match Window::open(&desk.title(), place) {

@@ -14,7 +14,10 @@ impl Shell {
     /// Takes all keys and the mouse into account; a break when the program shall end.
     pub(super) fn input(&mut self) -> Result<ControlFlow<()>> {
         if self.saving.is_some() {
-            return Ok(ControlFlow::Continue(()));
+            let is_down = |key| self.window.typed.contains(&(key, true));
+            let controls = [minifb::Key::LeftCtrl, minifb::Key::RightCtrl];
+            let quits = is_down(minifb::Key::Q) && (self.ctrl || controls.into_iter().any(is_down));
+            return Ok(if quits { ControlFlow::Break(()) } else { ControlFlow::Continue(()) });
         }
         let mut events = Vec::new();
         let active = self.window.window.is_active();

@@ -31,6 +31,7 @@ pub use drawing::render_parallel;
 pub use exercises::Exercises;
 pub use exercises::Verdict;
 pub use said::report;
+pub use suite::MakePage;
 pub use suite::Suite;
 pub use tour_text::LONGEST;
 pub use tour_text::Mistake;

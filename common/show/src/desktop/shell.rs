@@ -346,8 +346,9 @@ impl Shell {
                         Drawing::new(size, desk.samples(), wanted.camera, Duration::MAX)
                     };
                     self.saving = Some(desk.pictures().into_iter().map(drawing).collect());
-                    self.session
-                        .handle(Event::Say(text!("saved as soon as it is complete").to_owned()));
+                    self.session.handle(Event::Say(
+                        text!("saved as soon as it is complete; Ctrl+Q quits").to_owned(),
+                    ));
                     self.repaint = true;
                 }
                 // Where a picture takes long, a way of pictures takes longer.
