@@ -75,6 +75,7 @@ pub(crate) enum What {
     Otherwise(String, String),
     Step(usize),
     Listed(usize),
+    Glide(f32),
     DivideAt(f32),
     Language(String),
     Open(String),
@@ -98,6 +99,7 @@ impl What {
             Self::Otherwise(equation, of) => Act::WhatIf(LineName { equation, of }),
             Self::Step(number) => Act::Step(number),
             Self::Listed(place) => Act::Listed(place),
+            Self::Glide(part) => Act::Glide(part),
             Self::DivideAt(part) => Act::DivideAt(part),
             Self::Language(locale) => Act::Speak(Language::of_locale(&locale)),
             Self::Open(address) => Act::Open(address),
@@ -142,6 +144,8 @@ pub(crate) struct Done {
     pub(crate) redraw: bool,
     /// What is beside and over them is another.
     pub(crate) repaint: bool,
+    /// The pictures are to glide to what is shown now.
+    pub(crate) glide: bool,
     /// The picture is to be saved.
     pub(crate) save: bool,
     /// The command is to be handed on.
