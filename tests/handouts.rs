@@ -109,10 +109,8 @@ fn steps_are_the_same_everywhere() {
         let (equations, words): (Vec<&str>, Vec<&str>) =
             rest.lines().filter(|line| !line.is_empty()).partition(|line| line.starts_with("  "));
         let is_whole = question.ends_with('?') && equations.iter().any(|line| line.contains(" = "));
-        assert!(is_whole && !words.is_empty() && !idea.contains(['\\', '$']), "{name}: {idea}");
+        assert!(is_whole && !words.is_empty(), "{name}: {idea}");
     }
-    let idea = programs()[6].idea;
-    assert!(idea.contains("\n  h = (v+l)/‖v+l‖\n"), "{idea}");
 }
 
 #[test]

@@ -226,7 +226,7 @@ fn the_keyboard_reaches_it_all() {
     assert_eq!(browser.run(state), json!([7, false, false]));
 
     // What is read instead comes into sight, in larger letters if need be.
-    for (key, place) in [('M', "keys"), ('L', "diff07"), ('I', "handout07-en")] {
+    for (key, place) in [('M', "keys"), ('L', "code"), ('I', "handout07-en")] {
         press(Key::Char(key));
         let top = format!("$('{place}').getBoundingClientRect().top");
         browser.wait_until(&format!("{top} >= -1 && {top} < innerHeight / 2"));

@@ -13,14 +13,9 @@ use pulldown_cmark::TagEnd;
 pub(crate) struct Lesson {
     /// What the step teaches, from its title.
     pub(crate) concept: String,
-    /// The titles of its slides.
-    pub(crate) slides: String,
     /// Its question, its equations in LaTeX, each indented, and its idea: a paragraph a line.
     pub(crate) idea: String,
 }
-
-/// What the line with the slides begins with.
-const SLIDES: &str = "Slides: ";
 
 impl Lesson {
     /// Reads a handout: below its title the question and the slides, and as its first two sections
@@ -46,13 +41,6 @@ impl Lesson {
                     lesson.concept = text.rsplit(" · ").next().unwrap_or_default().to_owned();
                 }
                 Event::End(TagEnd::BlockQuote(_)) if section == 0 => question = text.clone(),
-                Event::End(TagEnd::Paragraph) if section == 0 => {
-                    if let Some(slides) = text.strip_prefix(SLIDES) {
-                        // The sentence after them is about the background.
-                        let slides = slides.split(". ").next().unwrap_or_default();
-                        lesson.slides = slides.trim_end_matches('.').to_owned();
-                    }
-                }
                 Event::End(TagEnd::Paragraph) if section == 1 => {
                     idea.push_str(&format!("\n{text}\n"))
                 }

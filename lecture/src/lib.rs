@@ -116,12 +116,12 @@ pub fn programs() -> Vec<show::Program> {
     let program = |step: Program| {
         // They are shown as long as the window.
         let lessons = step.handouts.iter().map(|handout| {
-            let Lesson { concept, slides, idea } = Lesson::read(handout);
-            (&*slides.leak(), [&*concept.leak(), &*idea.leak(), *handout])
+            let Lesson { concept, idea } = Lesson::read(handout);
+            [&*concept.leak(), &*idea.leak(), *handout]
         });
-        let (slides, texts): (Vec<_>, Vec<_>) = lessons.unzip();
-        let slides = slides.first().copied().unwrap_or_default();
+        let texts: Vec<_> = lessons.collect();
         let [concept, idea, handout] = texts.first().copied().unwrap_or_default();
+        let slides = show::Program::slides_of(handout).leak();
         let program = show::Program::new(step.name, concept, Size::DEFAULT, make(step));
         show::Program { slides, code: code(step), idea, handout, texts, ..program }
     };

@@ -54,7 +54,8 @@ pub fn main<S: Step + Default + 'static>(
     let make = Rc::new(|| Box::new(Lesson(Box::new(S::default()))) as Box<dyn Shown>);
     let code = Rc::new(Code::new(files));
     let program = Program::new(name, concept, Size::DEFAULT, make);
-    let programs = vec![Program { code, handout, ..program }];
+    let slides = Program::slides_of(handout).leak();
+    let programs = vec![Program { code, handout, slides, ..program }];
     let (figures, tours, exercises) = (Vec::new(), Vec::new(), Some(&Known as &dyn Exercises));
     Suite { name, concept, programs, figures, tours, page: None, exercises }.run(env::args_os())
 }

@@ -35,7 +35,8 @@ pub fn is_marked(desk: &Desk) -> bool {
 pub fn draw_marks(desk: &Desk, canvas: &mut Canvas<'_>, area: Area, text_size: f32) {
     let points = desk.points();
     let explanation = desk.explanation().filter(|_| desk.vectors());
-    let (step, view) = (desk.setup().step(), desk.setup().view());
+    let setup = desk.in_sight().1;
+    let (step, view) = (setup.step(), setup.view());
     let mut canvas = canvas.clipped(area);
     if let Some(onlooker) = desk.onlooker() {
         let onlooker = onlooker.camera(area.width / area.height);

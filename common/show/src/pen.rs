@@ -19,12 +19,12 @@ const UNDER: Ink = Ink::BLACK.with_alpha(120);
 /// How much of a hidden line is seen.
 const HIDDEN: u8 = 150;
 
-struct Label<'a> {
+struct Label {
     at: (f32, f32),
     /// Where it is put if there is room, as seen from `at`.
     toward: (f32, f32),
     ink: Ink,
-    texts: Vec<&'a str>,
+    texts: Vec<String>,
 }
 
 /// Draws what is in the world where a [`Sight`] sees it, dashed and faint where something hides it.
@@ -33,7 +33,7 @@ pub(crate) struct Pen<'a> {
     canvas: Canvas<'a>,
     pub(crate) sight: Sight<'a>,
     text_size: f32,
-    labels: Vec<Label<'a>>,
+    labels: Vec<Label>,
     /// Where lines and marks are that no label is to cover, if it can be helped.
     lines: Vec<Area>,
     marks: Vec<Area>,
@@ -104,7 +104,7 @@ impl<'a> Pen<'a> {
     }
 
     /// An arrow with its name at the tip; one that is seen end on is a ring.
-    pub(crate) fn arrow(&mut self, from: Vec3, to: Vec3, ink: Ink, name: &'a str) {
+    pub(crate) fn arrow(&mut self, from: Vec3, to: Vec3, ink: Ink, name: &str) {
         let Some((start, end)) = self.sight.in_front(from, to) else { return };
         let Some((start, tip)) = self.sight.at(start).zip(self.sight.at(end)) else { return };
         let width = self.width();
@@ -114,7 +114,12 @@ impl<'a> Pen<'a> {
         if end != to {
             self.line(from, to, width, ink);
         } else if length <= head {
-            self.canvas.arrow(start, tip, width, ink);
+            // Toward the eye, around what marks where it begins.
+            let radius = 0.66 * self.text_size;
+            self.canvas.ring(start, radius, width + 3.0, UNDER);
+            self.canvas.ring(start, radius, width, ink);
+            self.canvas.disc(start, width, ink);
+            self.keep_mark(start, radius);
         } else {
             // What the head covers is left out: it may be faint.
             let shaft = |at: (f32, f32)| {
@@ -141,7 +146,7 @@ impl<'a> Pen<'a> {
     }
 
     /// A dot with an edge, and its name beside it.
-    pub(crate) fn dot(&mut self, point: Vec3, radius: f32, ink: Ink, name: &'a str) {
+    pub(crate) fn dot(&mut self, point: Vec3, radius: f32, ink: Ink, name: &str) {
         let Some(at) = self.sight.at(point) else { return };
         let radius = radius * self.width();
         if self.sight.is_hidden(point) {
@@ -155,7 +160,7 @@ impl<'a> Pen<'a> {
     }
 
     /// A translucent triangle, its name in the middle.
-    pub(crate) fn area(&mut self, [a, b, c]: [Vec3; 3], ink: Ink, name: &'a str) {
+    pub(crate) fn area(&mut self, [a, b, c]: [Vec3; 3], ink: Ink, name: &str) {
         let edges = [(a, b), (b, c), (c, a)].map(|(from, to)| self.sight.in_front(from, to));
         let mut corners: Vec<(f32, f32)> = Vec::new();
         for corner in edges.into_iter().flatten().flat_map(|(from, to)| [from, to]) {
@@ -173,7 +178,7 @@ impl<'a> Pen<'a> {
         }
     }
 
-    pub(crate) fn label(&mut self, at: Vec3, ink: Ink, name: &'a str) {
+    pub(crate) fn label(&mut self, at: Vec3, ink: Ink, name: &str) {
         if let Some(at) = self.sight.at(at) {
             self.label_toward(at, (0.0, -1.0), ink, name);
         }
@@ -181,18 +186,17 @@ impl<'a> Pen<'a> {
 
     /// Names that are at the same place are written one after the other.
     pub(crate) fn label_toward(
-        &mut self, at: (f32, f32), toward: (f32, f32), ink: Ink, name: &'a str,
+        &mut self, at: (f32, f32), toward: (f32, f32), ink: Ink, name: &str,
     ) {
         if name.is_empty() || !self.sight.area.contains(at) {
             return;
         }
-        let near = |label: &&mut Label<'_>| {
-            label.ink == ink && distance(label.at, at) < self.text_size / 3.0
-        };
+        let near =
+            |label: &&mut Label| label.ink == ink && distance(label.at, at) < self.text_size / 3.0;
         match self.labels.iter_mut().find(near) {
-            Some(label) if label.texts.contains(&name) => {}
-            Some(label) => label.texts.push(name),
-            None => self.labels.push(Label { at, toward, ink, texts: vec![name] }),
+            Some(label) if label.texts.iter().any(|other| other == name) => {}
+            Some(label) => label.texts.push(name.to_owned()),
+            None => self.labels.push(Label { at, toward, ink, texts: vec![name.to_owned()] }),
         }
     }
 

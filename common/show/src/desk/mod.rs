@@ -272,20 +272,28 @@ impl Desk {
         self.pinned
     }
 
-    /// How the pinned pixel comes by its colour.
+    /// What is seen just now: the step before, as long as that takes this one's place.
+    pub fn in_sight(&self) -> (&Program, &Setup) {
+        match &self.before {
+            Some(before) if self.holding => (&self.programs[self.current - 1], before),
+            _ => (self.program(), &self.setup),
+        }
+    }
+
+    /// How the pinned pixel comes by its colour in what is seen.
     pub fn explanation(&self) -> Option<Explanation> {
-        self.explanation_of(&self.setup)
+        self.explanation_of(self.in_sight().1)
     }
 
-    /// How it does so in the step before.
+    /// How it does so in the step before that.
     pub fn explanation_before(&self) -> Option<Explanation> {
-        self.explanation_of(self.before.as_ref()?)
+        self.explanation_of(self.before.as_ref().filter(|_| !self.holding)?)
     }
 
-    /// The step's law with the pinned pixel's numbers, in the light that is chosen.
-    pub fn law(&self) -> Option<Law> {
-        let explanation = self.explanation()?;
-        Some(Law::new(&self.program().law(), &explanation, self.setup.chosen("light")))
+    /// The law of what is seen, with the pinned pixel's numbers in the light that is chosen.
+    pub fn law(&self) -> Law {
+        let (program, setup) = self.in_sight();
+        Law::new(&program.law(), self.explanation().as_ref(), setup.chosen("light"))
     }
 
     fn explanation_of(&self, setup: &Setup) -> Option<Explanation> {
@@ -302,9 +310,6 @@ impl Desk {
     /// The pictures that are to be shown: one, or, where two are compared, the step before's and
     /// this one's.
     pub fn pictures(&self) -> Vec<Wanted<'_>> {
-        if let Some(glide) = &self.glide {
-            return vec![self.wanted(&glide.now, glide.now.view(), self.current, &self.look)];
-        }
         match self.picture_before() {
             Some(before) if self.holding => vec![before],
             Some(before) if self.compare != Compare::Off => vec![before, self.picture_now()],
@@ -314,7 +319,11 @@ impl Desk {
 
     /// The picture of the step that is shown.
     pub fn picture_now(&self) -> Wanted<'_> {
-        self.wanted(&self.setup, self.seen_from(), self.current, &self.look)
+        let (setup, view) = match &self.glide {
+            Some(glide) => (&glide.now, glide.now.view()),
+            None => (&self.setup, self.seen_from()),
+        };
+        self.wanted(setup, view, self.current, &self.look)
     }
 
     /// That of the step before; none before the first.

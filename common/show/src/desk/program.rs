@@ -65,6 +65,15 @@ impl Program {
         }
     }
 
+    /// The titles of the slides that its handout is about.
+    pub fn slides_of(handout: &str) -> String {
+        let mut paragraphs = handout.split("\n\n");
+        let slides = paragraphs.find_map(|paragraph| paragraph.trim().strip_prefix("Slides: "));
+        // The sentence after them is about the background.
+        let slides = slides.and_then(|slides| slides.split(". ").next()).unwrap_or_default();
+        slides.trim_end_matches('.').replace('\n', " ")
+    }
+
     /// The equations that are its law, as its handout has them first, in LaTeX.
     pub fn law(&self) -> Vec<&'static str> {
         let told = self.texts.get(Language::spoken().place());
@@ -75,8 +84,10 @@ impl Program {
     pub(crate) fn explains(&self, line: &Line) -> bool {
         let symbol = symbol(line).key();
         let symbols = self.handout.lines().filter_map(|line| line.strip_prefix("| "));
-        let mut symbols =
-            symbols.filter_map(|row| row.split(" | ").next()).flat_map(|names| names.split(", "));
+        // What is known from before has no code of its own there.
+        let new = symbols
+            .filter_map(|row| row.split_once(" | ").filter(|(_, rest)| rest.starts_with('`')));
+        let mut symbols = new.flat_map(|(names, _)| names.split(", "));
         let is_it = |name: &str| {
             let name = name.replace(['*', '\\'], "");
             [Letters::Scalar, Letters::Vector]

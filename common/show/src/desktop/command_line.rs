@@ -217,7 +217,7 @@ pub(super) fn arrange(desk: &mut Desk, matches: &ArgMatches) -> Result<Option<St
     acts.extend(what_ifs.cloned().map(Act::Answer));
     let compares = acts.iter().any(|act| matches!(act, Act::DivideAt(_) | Act::Difference));
     if compares && desk.step() == 1 {
-        let last = desk.programs().len();
+        let last = desk.steps();
         return Err(text!("there is no step before step 1: compare --step 2 to {last}", last));
     }
     if let Some((col, row)) = matches.get_one::<(usize, usize)>("pixel") {

@@ -1,5 +1,6 @@
 //! Where each letter of an equation stands.
 
+use super::Law;
 use super::Math;
 use crate::Area;
 use crate::Canvas;
@@ -83,12 +84,9 @@ impl Boxed {
         if part >= 1.0 { set } else { Self::inline(math, em * part.max(0.5)) }
     }
 
-    /// A line of `math` as it stands alone, smaller where it would be wider than `width`.
+    /// `math` as it stands alone, broken where it would be wider than `width`.
     pub fn display(math: &Math, em: f32, width: f32) -> Self {
-        let style = |size| Style { size, large: true, within: false, numbers: None };
-        let set = style(BESIDE * em).set(math);
-        let part = width / set.width.max(1.0);
-        if part >= 1.0 { set } else { style(BESIDE * em * part.max(0.4)).set(math) }
+        Law::of(math).set(BESIDE * em, width, f32::INFINITY)
     }
 
     /// Draws it with the left end of its baseline at `at`: symbols in their colours, all else in `ink`; or
@@ -227,7 +225,7 @@ impl<'a> Style<'a> {
         };
         let Math::Sign(sign) = parts[place] else {
             let apart = match parts[place] {
-                Math::Word(_) => 0.17,
+                Math::Word(ref word) if word.starts_with(char::is_alphabetic) => 0.17,
                 Math::Fraction(..) => 0.06,
                 _ => 0.0,
             };

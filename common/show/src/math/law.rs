@@ -18,8 +18,8 @@ use common::Value;
 pub struct Law {
     equations: Vec<Math>,
     told: Vec<(String, Vec<String>)>,
-    /// Whose numbers they are, where the same is told of several lights.
-    light: Option<&'static str>,
+    /// Whose numbers they are, and its number, where the same is told of several lights.
+    light: Option<(usize, &'static str)>,
 }
 
 /// What an equation calls by another name than its step: the closest hit is where rays end then, and of
@@ -65,10 +65,12 @@ pub fn typeset(line: &Line) -> Math {
 
 impl Law {
     /// The law in `latex`, with what `explanation` tells; of several lights what is told of `light`.
-    pub fn new(equations: &[&str], explanation: &Explanation, light: Option<&str>) -> Self {
-        let all = symbols(explanation);
+    pub fn new(equations: &[&str], explanation: Option<&Explanation>, light: Option<&str>) -> Self {
+        let all = explanation.map_or(Vec::new(), symbols);
         let (once, each) = all.split_at(1.min(all.len()));
-        let chosen = each.iter().find(|its| Some(its.of) == light).or(each.first());
+        let place = each.iter().position(|its| Some(its.of) == light).unwrap_or(0);
+        let chosen = each.get(place);
+        let light = chosen.map(|its| (place + 1, its.of));
         let mut told: Vec<(String, Vec<String>)> = Vec::new();
         for line in once.iter().chain(chosen).flat_map(|its| &its.lines) {
             let key = symbol(line).key();
@@ -78,7 +80,12 @@ impl Law {
             }
         }
         let equations = equations.iter().map(|text| latex(text)).collect();
-        Self { equations, told, light: chosen.map(|its| its.of) }
+        Self { equations, told, light }
+    }
+
+    /// An equation without numbers.
+    pub(super) fn of(equation: &Math) -> Self {
+        Self { equations: vec![equation.clone()], told: Vec::new(), light: None }
     }
 
     fn numbers(&self, key: &str) -> Option<Vec<String>> {
@@ -136,8 +143,8 @@ impl Law {
                 first = if first.0 == 0.0 { (left, drop) } else { first };
             }
         }
-        if let Some(light) = self.light {
-            let words = plain(&format!("i: {}", translated(light)), Letters::Scalar);
+        if let Some((place, light)) = self.light {
+            let words = plain(&format!("i = {place}: {}", translated(light)), Letters::Scalar);
             let line = Boxed::inline(&words, 0.7 * style.size);
             // In the corner, if there is room beside the first line.
             let corner = (width - line.width, first.1);

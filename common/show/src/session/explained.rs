@@ -149,11 +149,17 @@ impl Told<'_> {
         let fold = Fold::Scope(place.section, place.scopes);
         place.scopes += 1;
         let has_new = self.has_new(place.section, scope);
-        let name = translated(scope.name).to_owned();
+        let mut name = translated(scope.name).to_owned();
         let t = |t: f32| format!("t = {}", rounded(&Value::Number(t)).concat());
         let (usually, result) = match scope.outcome {
             Outcome::Told => {
                 let names = names.unwrap_or_default();
+                if let (Some(place), 2..) =
+                    (names.iter().position(|name| *name == scope.name), names.len())
+                {
+                    // The index of its symbols in the law, and of its arrows.
+                    name = format!("{} · {name}", place + 1);
+                }
                 let meant = names.iter().find(|name| self.light == Some(name)).or(names.first());
                 let chosen = meant.is_none_or(|meant| *meant == scope.name);
                 let ranked = self.before.is_some() || self.program.is_some();

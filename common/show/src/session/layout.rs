@@ -15,7 +15,7 @@ const LEAST_TEXT: f32 = 5.0;
 const COLUMN: f32 = 18.0;
 
 /// How high a stop's text is with what stands over it, in ems: three lines.
-const STOP: f32 = 5.6;
+const STOP: f32 = 5.8;
 /// How much of the width code takes.
 const CODE_COLUMN: f32 = 0.58;
 

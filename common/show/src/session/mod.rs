@@ -379,7 +379,7 @@ impl Session {
             aspect: self.desk.picture_size().aspect(),
             text: self.text,
             hidden: self.desk.alone(),
-            reading: self.has_reading(),
+            reading: self.has_reading() || !self.desk.program().handout.is_empty(),
             code: self.desk.reading() == Reading::Code,
             legend: self.desk.shown_line().is_some(),
             curve: self.desk.has_curve(),

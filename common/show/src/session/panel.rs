@@ -121,6 +121,15 @@ impl Panel {
         Area { left: inner.left + place.left, top, ..place }
     }
 
+    /// Whether all of a row can be seen, or it is higher than that.
+    fn is_seen(&self, row: usize) -> bool {
+        let (area, half) = (self.row_area(row), 0.5 * MARGIN * self.em);
+        let is_whole =
+            area.top >= self.area.top && area.bottom() <= self.area.bottom() - half + 1.0;
+        let is_high = area.height > self.inner().height;
+        is_whole || is_high && area.bottom() > self.area.top && area.top < self.area.bottom()
+    }
+
     /// The target of the row at `at`, and whether it is on the row's slider.
     pub(super) fn target(&self, at: (f32, f32)) -> Option<(Target, bool)> {
         if !self.area.contains(at) {
@@ -131,7 +140,8 @@ impl Panel {
             let margin = MARGIN * self.em;
             Area { left: area.left - margin, width: area.width + 2.0 * margin, ..area }
         };
-        let row = (0..self.rows.len()).find(|row| around(self.row_area(*row)).contains(at));
+        let mut seen = (0..self.rows.len()).filter(|row| self.is_seen(*row));
+        let row = seen.find(|row| around(self.row_area(*row)).contains(at));
         Some(row.map_or((Target::Nothing, false), |row| {
             let slider = self.slider(row);
             // A little beyond its ends too, which are hard to hit.
@@ -157,7 +167,7 @@ impl Panel {
         let mut canvas = canvas.clipped(self.area);
         for row in 0..self.rows.len() {
             let area = self.row_area(row);
-            if area.bottom() < self.area.top || area.top > self.area.bottom() {
+            if !self.is_seen(row) {
                 continue;
             }
             let chosen = selected.is_some_and(|selected| self.rows[row].has(selected));

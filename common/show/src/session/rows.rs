@@ -62,7 +62,7 @@ impl Session {
         let area = layout.beside?.reading.filter(|_| self.desk.reading() == Reading::Pixel)?;
         let margin = MARGIN * layout.em;
         let room = (area.width - 2.0 * margin, LAW * area.height);
-        let law = self.desk.law()?.set(1.1 * layout.em, room.0, room.1);
+        let law = self.desk.law().set(1.05 * layout.em, room.0, room.1);
         let height = law.height() + if law.width > 0.0 { 1.2 * margin } else { 0.0 };
         Some((law, Area { height, ..area }))
     }
@@ -87,19 +87,22 @@ impl Session {
     /// What is to be read: the pinned pixel's explanation, or another text.
     pub(super) fn reading_rows(&self) -> Vec<Row> {
         match self.desk.reading() {
-            Reading::Pixel => self.desk.explanation().map_or(Vec::new(), |explanation| {
-                let before = self.desk.explanation_before();
-                Told {
-                    explanation: &explanation,
-                    before: before.as_ref(),
-                    program: Some(self.desk.program()),
-                    light: self.desk.setup().chosen("light"),
-                    shown: self.desk.shown_line(),
-                    what_ifs: self.desk.what_ifs(),
-                    folds: &self.folds,
-                }
-                .rows()
-            }),
+            Reading::Pixel => self.desk.explanation().map_or_else(
+                || self.unpinned(),
+                |explanation| {
+                    let before = self.desk.explanation_before();
+                    Told {
+                        explanation: &explanation,
+                        before: before.as_ref(),
+                        program: Some(self.desk.in_sight().0),
+                        light: self.desk.setup().chosen("light"),
+                        shown: self.desk.shown_line(),
+                        what_ifs: self.desk.what_ifs(),
+                        folds: &self.folds,
+                    }
+                    .rows()
+                },
+            ),
             Reading::Keys => {
                 let several = self.desk.steps() > 1;
                 let rows = table().into_iter().filter(|row| several || !row.lecture);
@@ -149,6 +152,14 @@ impl Session {
             rows.append(&mut rest);
         }
         rows
+    }
+
+    /// What stands where a pixel's explanation will.
+    fn unpinned(&self) -> Vec<Row> {
+        let program = self.desk.in_sight().0;
+        let hint = text!("click a pixel to see its equations · F1 all keys");
+        let said = [(program.told().0, TEXT), (hint, FAINT)];
+        said.into_iter().map(|(text, ink)| Row::Text(format!("{text}\n"), ink)).collect()
     }
 
     /// Adds the heading of code that is read last, with how many new lines it has; whether it is open.
