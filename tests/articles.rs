@@ -114,7 +114,7 @@ fn read_out(text: &str) -> String {
         }
     };
     let letters = text.chars().map(plain);
-    letters.filter(|letter| !"_/^√ 𝑖i\u{2061}".contains(*letter)).collect()
+    letters.filter(|letter| !"_/^√ 𝑖i⏟\u{2061}".contains(*letter)).collect()
 }
 
 #[test]
