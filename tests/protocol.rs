@@ -161,8 +161,7 @@ fn each_symbol_has_the_number_of_what_is_seen() {
     };
     for (place, scope, symbol) in expected {
         let line = scope.lines().find(|line| line.symbol() == symbol).expect(symbol);
-        let value: Vec<String> = texts(&line.value).iter().map(|it| it.trim().to_owned()).collect();
-        assert_eq!(found(place, symbol), [json!(value)], "{}: {symbol}", scope.name);
+        assert_eq!(found(place, symbol), [json!(rounded(&line.value))], "{}: {symbol}", scope.name);
     }
     assert_eq!(found(0, "n·l"), [Value::Null; 0]);
     // Where there is but one of a kind, there is nothing to be chosen.
@@ -262,7 +261,7 @@ fn a_control_is_told_as_what_it_is() {
         ("camera", "kind", json!("choice")),
         ("camera", "options", json!(["perspective", "parallel"])),
         ("green.k_s", "kind", json!("number")),
-        ("green.k_s", "label", json!("k_s")),
+        ("green.k_s", "label", json!("<math><msub><mi>𝑘</mi><mi>𝑠</mi></msub></math>")),
         ("green.k_s", "takes", json!("0 to 1")),
     ] {
         assert_eq!(page.setting(name, what), expected, "{name}: {what}");
