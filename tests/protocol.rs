@@ -126,9 +126,11 @@ fn two_pictures_are_shown_as_they_are_compared() {
         assert_eq!(page.state()["layers"], json!(wanted), "{address}");
         let [before, now] = layers.clone().map(|layer| page.rows(layer));
         let shown = page.shown(None, wanted);
+        let picture = |rgb: &[u8]| RgbImage::from_raw(64, 36, rgb.to_vec()).expect("a picture");
+        let differing = difference(&picture(&before), &picture(&now)).into_raw();
         for (at, shown) in shown.into_iter().enumerate() {
             let expected = match address {
-                "&difference=on" => before[at].abs_diff(now[at]).saturating_mul(8),
+                "&difference=on" => differing[at],
                 "&divide=0.25" if at / 3 % 64 < 16 => before[at],
                 _ => now[at],
             };
