@@ -95,9 +95,31 @@ fn settings_are_applied_in_order_and_the_last_one_counts() {
     assert!(outside(format!("{first} {last}")) == outside(format!("{last} {first}")));
 }
 
+/// As it stands beside the picture, but that a terminal may have colours.
+#[test]
+fn the_code_of_a_pixel_is_printed_with_its_numbers() {
+    let code = printed(STEPS[6], "--pixel 350,200 --code");
+    for line in [
+        "+     let h = (v + l).normalize();",
+        "·         return l_d;",
+        "−     k_d * irradiance * n_dot_l.max(0.0)",
+        "step07_specular/src/controls.rs: +3",
+    ] {
+        assert!(code.lines().any(|printed| printed.starts_with(line)), "no {line} in:\n{code}");
+    }
+    let numbers = code.lines().find_map(|line| line.strip_prefix("      let n_dot_l = n.dot(l);"));
+    assert_eq!(numbers.map(str::trim), Some("n·l 0.2915"), "{code}");
+    assert!(!code.contains('\u{1b}'), "no colours where no terminal is: {code}");
+    let (refused, _) = run(STEPS[6], &["--code"]);
+    let said = only_line(&refused);
+    assert!(said.contains("--pixel"), "{said}");
+    let before = printed(STEPS[0], "-s 9x9 --pixel 4,4 --code --language pt");
+    assert!(before.contains("let u = (col as f32 + 0.5) / width as f32;"), "{before}");
+}
+
 #[test]
 fn help_names_every_flag_and_control_and_writes_nothing() {
-    let flags = "--output --size --camera --set --samples --pixel --show --range --curve --what-if \
+    let flags = "--output --size --camera --set --samples --pixel --code --show --range --curve --what-if \
                  --compare --check";
     for (index, name) in STEPS.iter().copied().chain([LECTURE]).enumerate() {
         let (output, files) = run(name, &["--help"]);
@@ -147,38 +169,6 @@ fn the_lecture_draws_what_its_steps_do_and_two_of_them_at_once() {
     let eight_times =
         |a: [u8; 3], b: [u8; 3]| [0, 1, 2].map(|c| b[c].abs_diff(a[c]).saturating_mul(8));
     assert!(difference == combined(&|_, a, b| eight_times(a, b)));
-}
-
-/// Whatever was done by hand.
-#[test]
-fn the_command_that_a_desk_gives_draws_what_is_seen_there() {
-    for (index, name) in STEPS.iter().enumerate() {
-        let first = [Act::Size(size(96, 54)), Act::Orbit(7.3, -3.1), Act::Zoom(0.93)];
-        let mut desk = after(Desk::new(programs(), index), &first);
-        for setting in setup(index).list() {
-            act(&mut desk, Act::Nudge(setting.name, 1.1));
-        }
-        let onlooker = [Act::Outside, set("outside.elevation", "40"), set("fov", "50")];
-        for acts in [
-            &[][..],
-            &[Act::Divide],
-            &[Act::DivideAt(0.3)],
-            &[Act::Difference, Act::Difference],
-            &[Act::Pin((0.55, 0.6))],
-            &onlooker,
-            &[Act::Outside, Act::Vectors],
-        ] {
-            desk = after(desk, acts);
-            let (command, size) = (desk.command(), desk.picture_size());
-            let typed = command.strip_prefix("cargo run -p ").expect("a command");
-            let (program, arguments) = typed.split_once(" -- ").expect("arguments");
-            let session = Session::new(desk);
-            let expected = session.written(pictures_of(session.desk(), size));
-            let arguments = format!(" {arguments}").replace(&format!(" -o {program}.png"), "");
-            assert!(drawn(program, &arguments) == expected, "{name}: {command}");
-            desk = after(Desk::new(programs(), 0), &[Act::Open(address(session.desk()))]);
-        }
-    }
 }
 
 /// The writing end of a pipe that nobody reads.

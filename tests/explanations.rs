@@ -1,5 +1,6 @@
 //! A pixel is explained by what was computed, and each line leads to the next.
 
+mod code;
 mod equation;
 mod quantities;
 mod sheet;

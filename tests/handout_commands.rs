@@ -16,7 +16,7 @@ const NOT_RUN: &str = "UPDATE_SNAPSHOTS=1 cargo test; cargo bench; cargo test; c
 /// The file that a program with these arguments is to write, if any.
 fn file_of(name: &str, arguments: &[&str]) -> Option<String> {
     let named = arguments.iter().position(|argument| ["-o", "--output"].contains(argument));
-    let silent = ["--pixel", "--compare", "--help", "-h"];
+    let silent = ["--pixel", "--compare", "--help", "-h", "--check-tour"];
     match named {
         Some(index) => Some(arguments[index + 1].to_owned()),
         None if arguments.iter().any(|argument| silent.contains(argument)) => None,

@@ -6,6 +6,7 @@ mod handout_commands;
 mod handout_pixels;
 mod readme;
 mod style;
+mod tours;
 
 use pulldown_cmark::HeadingLevel;
 use readme::Part;

@@ -276,7 +276,7 @@ fn is_written(image: &RgbImage, left: f32, size: f32, ink: Ink, text: &str) -> b
 #[test]
 fn a_session_speaks_its_language_whatever_else_is_spoken() {
     // So high that all lines can be seen, and so wide that none is broken.
-    let (large, em) = (size(1000, 5000), 0.0385 * 0.75 * 1000.0);
+    let (large, em) = (size(1000, 7000), 0.0385 * 0.75 * 1000.0);
     for language in Language::all() {
         let mut session = Session::new(desk(5, Size::DEFAULT));
         typed(&mut session, &"G".repeat(language.place()));

@@ -181,8 +181,9 @@ pub fn compare(
 pub fn hold_picture(
     path: &Path, found: &RgbImage, others: &[(&str, RgbImage)],
 ) -> Result<(), String> {
+    let (shown, exists) = (path.strip_prefix(root()).unwrap_or(path).display(), path.exists());
     if updating_snapshots() {
-        if !path.exists() || read_picture(path) != *found {
+        if !exists || read_picture(path) != *found {
             fs::create_dir_all(path.parent().expect("a file in a folder")).expect("a folder");
             // Slower than usual, because it is made once and cloned by everybody; in one stroke,
             // because other tests may be reading it.
@@ -196,9 +197,8 @@ pub fn hold_picture(
         }
         return Ok(());
     }
-    let shown = path.strip_prefix(root()).unwrap_or(path).display();
     let remedy = "if the change was meant, run `UPDATE_SNAPSHOTS=1 cargo test`, and look at it";
-    if !path.exists() {
+    if !exists {
         return Err(format!("there is no {shown}: {remedy}"));
     }
     let name = path.file_stem().and_then(|stem| stem.to_str()).expect("a name");

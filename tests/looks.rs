@@ -232,33 +232,58 @@ fn a_students_own_picture_of_a_line_is_compared() {
     }
 }
 
+/// The command that gives what is shown, run as it is typed, draws the same as a file.
+fn draws_the_same(looked: Desk, flags: &str) {
+    let (command, address, size) = (looked.command(), address(&looked), looked.picture_size());
+    assert!(command.contains(flags), "no {flags:?} in: {command}");
+    let opened = after(Desk::new(looked.programs().to_vec(), 0), &[Act::Open(address.clone())]);
+    assert_eq!((self::address(&opened), opened.command()), (address.clone(), command.clone()));
+    assert!(pictures_of(&opened, size) == pictures_of(&looked, size), "{address}");
+    let typed = command.strip_prefix("cargo run -p ").expect("a command");
+    let (program, arguments) = typed.split_once(" -- ").expect("there are arguments");
+    let (folder, file) = (tempdir().expect("a folder"), format!("{program}.png"));
+    let output = if arguments.contains("-o ") { "" } else { &*format!("-o {file}") };
+    let size = if arguments.contains("--size") { "" } else { &*format!("-s {size}") };
+    let script = format!("\"$0\" {arguments} {output} {size} --language en >out.txt");
+    let status = shell(&script, program, folder.path()).status().expect("it runs");
+    assert!(status.success(), "{script}");
+    assert!(read_picture(&folder.path().join(file)) == written(looked).0, "{script}");
+}
+
 #[test]
 fn a_command_gives_the_same_look_again() {
-    let folder = tempdir().expect("a folder");
     let pin = Act::PinPixel(150, 100);
     let range = Act::Range("0.25,7.5".to_owned());
     let curve = [pin.clone(), show("I/r²"), Act::Curve];
+    let answers = [what_if("key: L_s=0"), what_if("red: t_max=5.5")];
     for (acts, flags) in [
         (&[show("n·l"), what_if("V=1")][..], "--show 'n·l' --what-if 'V=1'"),
         (&[show("normal"), pin.clone()], "--show ': normal'"),
         (&[pin, show("shadow ray's d")], "--show \"shadow ray's d\""),
         (&[show("fill: r²"), range], "--show 'fill light: r²' --range '0.25,7.5'"),
         (&curve, "--show 'I/r²' --curve --pixel 150,100"),
-        (&[what_if("key: L_s=0"), what_if("red: t_max=5.5")], "--what-if 'key light: L_s=0,0,0'"),
+        (&answers, "--what-if 'key light: L_s=0,0,0'"),
         (&[what_if("D = a (radius² − q²)=1")], "--what-if 'D = a (radius² − q²)=1'"),
     ] {
-        let looked = after(desk(6, size()), acts);
-        let (command, address) = (looked.command(), address(&looked));
-        assert!(command.contains(flags), "no {flags:?} in: {command}");
-        let opened = after(desk(0, size()), &[Act::Open(address.clone())]);
-        assert_eq!((self::address(&opened), opened.command()), (address.clone(), command.clone()));
-        assert!(pictures_of(&opened, size()) == pictures_of(&looked, size()), "{address}");
-        let arguments = command.split_once(" -- ").expect("there are arguments").1;
-        let file = format!("{}.png", STEPS[6]);
-        let output = if arguments.contains(" -o ") { "" } else { &*format!("-o {file}") };
-        let script = format!("\"$0\" -s 320x180 {arguments} --language en {output} >out.txt");
-        let status = shell(&script, STEPS[6], folder.path()).status().expect("it runs");
-        assert!(status.success(), "{script}");
-        assert!(read_picture(&folder.path().join(file)) == written(looked).0, "{script}");
+        draws_the_same(after(desk(6, size()), acts), flags);
+    }
+    // Whatever is done by hand.
+    for index in 0..STEPS.len() {
+        let first = [Act::Size(tests::size(96, 54)), Act::Orbit(7.3, -3.1), Act::Zoom(0.93)];
+        let mut moved = after(desk(index, Size::DEFAULT), &first);
+        for setting in setup(index).list() {
+            act(&mut moved, Act::Nudge(setting.name, 1.1));
+        }
+        let onlooker = [Act::Outside, set("outside.elevation", "40"), set("fov", "50")];
+        for acts in [
+            &[][..],
+            &[Act::Divide, Act::DivideAt(0.3)],
+            &[Act::Difference],
+            &[Act::Pin((0.55, 0.6))],
+            &onlooker,
+        ] {
+            let start = Desk::new(moved.programs().to_vec(), index);
+            draws_the_same(after(start, &[&[Act::Open(address(&moved))], acts].concat()), "--set");
+        }
     }
 }

@@ -4,15 +4,16 @@ use exercises::Diagnosis;
 use exercises::Mistake;
 use exercises::Pair;
 use exercises::SYMBOLS;
+use exercises::Shot;
 use tests::prelude::*;
 
 /// What is said of `found` where the last step was expected, as it starts.
 fn said_of(found: &RgbImage) -> Vec<&'static str> {
-    let (step, size) = (step(6), size(240, 135));
-    let camera = step.view().camera(size.aspect());
-    let frame = Frame { step: &*step, camera: &*camera, size, samples: 1 };
-    let expected = frame.render();
-    let said = Diagnosis::new("", &[Pair { frame, expected: &expected, found }]);
+    let (setup, size) = (setup(6), size(240, 135));
+    let camera = setup.view().camera(size.aspect());
+    let shot = Shot::new(&setup, &*camera, size, 1);
+    let expected = shot.frame.render();
+    let said = Diagnosis::new("", &[Pair { shot, times: 1.0, expected: &expected, found }]);
     said.mistakes.iter().map(|mistake| mistake.what).collect()
 }
 
@@ -58,7 +59,8 @@ fn pictures_turned_or_encoded_otherwise_are_recognized_and_no_others() {
 }
 
 /// Mistakes that what the steps show at first does not tell from others, or not at all.
-const UNNAMED: [&str; 3] = [
+const UNNAMED: [&str; 4] = [
+    "What is brighter than white begins again at black: cut it off at 255",
     "The shadow ray does not end at the light (t = 1): what is behind the light blocks it",
     "The ambient term is k_a alone, without I_a",
     "A light behind the surface has a highlight too: ask for n·l > 0",
@@ -80,20 +82,24 @@ fn each_mistake_is_told_from_all_others() {
         });
         let cameras = setups.each_ref().map(|setup| setup.view().camera(size.aspect()));
         let frames = setups.iter().zip(&cameras).map(|(setup, camera)| {
-            let frame = Frame { step: setup.step(), camera: &**camera, size, samples: 1 };
-            (frame, frame.render())
+            let shot = Shot::new(setup, &**camera, size, 1);
+            (shot, shot.frame.render())
         });
-        let frames: Vec<(Frame<'_>, RgbImage)> = frames.collect();
+        let frames: Vec<(Shot<'_>, RgbImage)> = frames.collect();
         // In the first step that shows it is enough.
         let known = Mistake::ALL.par_iter().filter(|mistake| unnamed.contains(&mistake.what));
         let said = known.map(|mistake| {
-            let found = frames.iter().map(|(frame, _)| {
-                RgbImage::from_fn(32, 18, |col, row| Rgb(mistake.pixel(frame, col, row)))
+            let found = frames.iter().map(|(shot, _)| {
+                RgbImage::from_fn(32, 18, |col, row| Rgb(mistake.pixel(shot, col, row)))
             });
             let found: Vec<RgbImage> = found.collect();
             let pairs = frames.iter().zip(&found);
-            let pairs =
-                pairs.map(|((frame, expected), found)| Pair { frame: *frame, expected, found });
+            let pairs = pairs.map(|((shot, expected), found)| Pair {
+                shot: *shot,
+                times: 1.0,
+                expected,
+                found,
+            });
             let said = Diagnosis::new("", &pairs.collect::<Vec<_>>());
             let said: Vec<&str> = said.mistakes.iter().map(|named| named.what).collect();
             let is_it = said.is_empty() || said.contains(&mistake.what);

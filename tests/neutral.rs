@@ -2,9 +2,6 @@
 
 use std::rc::Rc;
 
-use lecture::step01_rays::Lesson as Rays;
-use lecture::step02_sphere::Lesson as Sphere;
-use lecture::step03_triangle::Lesson as Triangle;
 use lecture::step04_scene::Lesson as Flat;
 use lecture::step05_diffuse::Lesson as Diffuse;
 use lecture::step06_shadows::Lesson as Shadow;
@@ -151,29 +148,5 @@ fn step05_with_its_light_divided_out_is_step04() {
         }
         let why = "L_d = k_d (I/r²) max(0, n·l), and k_d is step 04's flat colour";
         same(&colors(&later, &view), &lit, why);
-    }
-}
-
-/// What is known of a pixel before light comes in, and before anything is hit.
-#[test]
-fn later_steps_cast_the_rays_of_step01_and_hit_what_step04_does() {
-    let (rays, flat) = (Rays::default(), Flat::default());
-    let round: [&dyn Step; 2] = [&Sphere::default(), &Triangle::default()];
-    let lit: [&dyn Step; 3] = [&Diffuse::default(), &Shadow::default(), &Specular::default()];
-    for (first, later, parts) in [
-        (&rays as &dyn Step, &round[..], &["viewing ray"][..]),
-        (&flat, &lit, &["viewing ray", "intersection"]),
-    ] {
-        for view in views(first) {
-            let expected = explanations(first, &view);
-            for later in later {
-                assert_eq!(later.view(), first.view(), "it is seen from the same place");
-                for (a, b) in explanations(*later, &view).iter().zip(&expected) {
-                    for part in parts {
-                        assert_eq!(a.scope(part), b.scope(part), "the {part} is the first step's");
-                    }
-                }
-            }
-        }
     }
 }

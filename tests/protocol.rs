@@ -68,13 +68,17 @@ fn rows(layer: Value, size: [u64; 2], first: u64, count: u64) -> Value {
 }
 
 #[test]
-fn rows_are_those_of_the_step() {
-    for (index, program) in PROGRAMS.iter().enumerate() {
-        let mut page = Asked::at(&program.name[..6]);
-        let picture = picture_of(&setup(index), 64, 36);
+fn rows_are_those_of_what_is_shown() {
+    for (program, seen) in
+        PROGRAMS.iter().flat_map(|it| ["", "&azimuth=9", "&outside=on"].map(|by| (it, by)))
+    {
+        let address = format!("#{}{seen}", &program.name[..6]);
+        let mut page = Asked::at(&address);
+        let desk = after(Desk::new(programs(), 0), &[Act::Open(address.clone())]);
+        let picture = pictures_of(&desk, size(64, 36)).remove(0);
         let parts = [(0, 20), (20, 16)]
             .map(|(first, count)| page.bytes(rows(json!("now"), [64, 36], first, count), b""));
-        assert!(parts.concat() == *picture.as_raw(), "{}", program.name);
+        assert!(parts.concat() == *picture.as_raw(), "{address}");
     }
 }
 
@@ -209,6 +213,13 @@ fn what_cannot_be_done_is_said_and_changes_nothing() {
     assert!(page.answer(&show([9, 9], [9, 9]), b"abc").is_err());
     assert!(page.0.answer(b"\xff").is_err() && page.0.answer(b"").is_err());
     assert_eq!(page.state(), state);
+    // What stands on the page is not said in words as well.
+    assert_eq!(page.press("c")["said"], Value::Null);
+    for (from_outside, is_said) in [(false, false), (true, true)] {
+        let said = page.does(json!({"pin": [0.5, 0.5]}))["said"].clone();
+        assert_eq!(said != Value::Null, is_said, "from outside {from_outside}: {said}");
+        page.press("o");
+    }
     page.does(json!({"step": 1}));
     assert!(page.answer(&rows(json!("before"), [9, 9], 0, 9), b"").is_err());
 }

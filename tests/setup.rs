@@ -68,6 +68,9 @@ fn a_setting_says_whose_it_is_or_means_the_one_that_was_chosen() {
     let mut other = setup.carried_to(make(3));
     other.set("radius", "0.6").expect("it takes that");
     assert_eq!(other.settings(), ["red.radius=0.5"], "0.6 is the green sphere's");
+    // Where the chosen one is not, the only one is meant.
+    let mut one = setup.carried_to(make(4));
+    assert_eq!(one.set("I", "3"), Ok(()));
     other.orbit(30.0, 5.0);
     assert_ne!(other.settings(), ["red.radius=0.5"], "the view was moved");
 }

@@ -5,6 +5,24 @@ function readTours() {
   change({ tours: JSON.parse($("tours").textContent) });
 }
 
+/** How long the pictures are on their way from one stop to the next. */
+const GLIDE_MS = 250;
+
+/** Has the pictures glide to the stop; at once where that takes long or less motion is wanted. */
+function glide() {
+  const { width, height } = $("now");
+  const slow = stage.cost * width * height > GLIDE_MS
+    || matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const start = performance.now();
+  const on = () => {
+    const part = slow ? 1 : (performance.now() - start) / GLIDE_MS;
+    const { redraw: another } = change({ do: { glide: part } });
+    if (another) redraw(part < 1);
+    if (part < 1) requestAnimationFrame(on);
+  };
+  on();
+}
+
 /** Shows where the class is, what is said there, and the list of all stops if it is read. */
 function showClass() {
   const { stop, listed, blank } = state;

@@ -16,6 +16,7 @@ function does(question, moving = false) {
   if (done.redraw || done.repaint) refresh(!question.do || !question.do.open);
   if (done.redraw) redraw(moving);
   else if (done.repaint) show();
+  if (done.glide) glide();
   return done;
 }
 
@@ -48,6 +49,7 @@ function refresh(keeps) {
   if (showControls() || other) choose(selected());
   showStage();
   explain();
+  showCode();
   showClass();
   read(before);
   writeAddress(keeps && before && isElsewhere(before) ? before.address : "");

@@ -9,6 +9,7 @@ start().then(() => {
   indent();
   hands();
   buttons();
+  readCode();
   keys();
   open(location.hash);
   enliven();

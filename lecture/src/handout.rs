@@ -1,4 +1,4 @@
-//! A step's handout and diff as they stand on the page.
+//! A step's handout as it stands on the page.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -264,22 +264,4 @@ pub(crate) fn coloured<'a>(lines: impl Iterator<Item = &'a str>) -> String {
         let _ = write!(html, "{tag}{}\n{end}", escape(line));
     }
     html + "</pre>"
-}
-
-/// A committed difference, folded by file.
-pub(crate) fn difference(text: &str) -> String {
-    let mut html = String::new();
-    for file in text.split("diff --git ").skip(1) {
-        let name = file.split_once("+++ b/").and_then(|(_, rest)| rest.lines().next());
-        let changes: Vec<&str> = file.lines().skip_while(|line| !line.starts_with("@@")).collect();
-        let count = |sign| changes.iter().filter(|line| line.starts_with(sign)).count();
-        let (new, gone) = (count('+'), count('-'));
-        let name = escape(name.unwrap_or("/dev/null"));
-        let lines = coloured(changes.into_iter());
-        let _ = writeln!(
-            html,
-            "<details open><summary><code>{name}</code> +{new} −{gone}</summary>{lines}</details>"
-        );
-    }
-    html
 }

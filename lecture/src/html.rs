@@ -51,6 +51,7 @@ const SCRIPT: &str = concat!(
     include_str!("../page/stage.js"),
     include_str!("../page/step.js"),
     include_str!("../page/explanation.js"),
+    include_str!("../page/code.js"),
     include_str!("../page/desk.js"),
     include_str!("../page/controls.js"),
     include_str!("../page/figures.js"),
@@ -69,7 +70,7 @@ fn root() -> &'static Path {
 ///
 /// # Errors
 ///
-/// When a handout, a diff or a picture cannot be read.
+/// When a handout or a picture cannot be read.
 pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
     let root = root();
     let mut packed = GzEncoder::new(Vec::new(), Compression::best());
@@ -87,9 +88,6 @@ pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
             links,
             "<li><a href=\"#step{number}\"><b>{number}</b> <span data-step=\"{number}\"></span></a></li>"
         );
-        let difference = root.join("tests/diffs").join(program.name).with_extension("diff");
-        // There is none of the first step.
-        let difference = fs::read_to_string(difference).unwrap_or_default();
         for language in Language::all() {
             let file = match language {
                 Language::ENGLISH => "README.md".to_owned(),
@@ -97,13 +95,6 @@ pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
             };
             let handout = handout::read(&folder.join(file), program.name)?;
             articles.push_str(&article(&handout, number, language.tag()));
-        }
-        if !difference.is_empty() {
-            let _ = writeln!(
-                articles,
-                "<article id=\"diff{number}\"><details class=\"more\"><summary><h3 data-text=\"What is new in the code\">What is new in the code</h3></summary>{}</details></article>",
-                handout::difference(&difference)
-            );
         }
         stills(&folder.join("figures"), &mut style)?;
     }

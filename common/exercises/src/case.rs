@@ -4,8 +4,8 @@ use std::fmt;
 
 use anyhow::Result;
 
+use crate::sample::Shot;
 use common::Camera;
-use show::Frame;
 use show::Make;
 use show::Setting;
 use show::Setup;
@@ -44,6 +44,8 @@ const VIEWS: &[(usize, usize, &str)] = &[
     // All, or all but the floor, behind the eye.
     (160, 90, "center.z=3 distance=1.5"),
     (160, 90, "center.z=3 distance=1.5 camera=parallel"),
+    // The eye is inside, and looks away from the centre.
+    (160, 90, "center.z=3 distance=2.5"),
     (160, 90, "a.z=3 b.z=3 c.z=3 distance=1.5"),
     (160, 90, "a.z=3 b.z=3 c.z=3 distance=1.5 camera=parallel"),
     (160, 90, "sphere=green center.x=-0.9 center.z=0.7"),
@@ -96,9 +98,9 @@ impl Case {
         Ok(Scene { setup, camera })
     }
 
-    pub(crate) fn frame<'a>(&self, scene: &'a Scene) -> Frame<'a> {
+    pub(crate) fn shot<'a>(&self, scene: &'a Scene) -> Shot<'a> {
         let Scene { setup, camera } = scene;
-        Frame { step: setup.step(), camera: &**camera, size: self.size, samples: 1 }
+        Shot::new(setup, &**camera, self.size, 1)
     }
 
     /// What gives the picture on a command line.

@@ -1,5 +1,8 @@
 //! `--check`: whether a solution of an exercise is right, and what is wrong with it.
 
+use std::path::Path;
+use std::path::PathBuf;
+
 use anyhow::Result;
 use anyhow::anyhow;
 use image::RgbImage;
@@ -8,21 +11,40 @@ use image::imageops::FilterType;
 
 use crate::Diagnosis;
 use crate::Pair;
+use crate::Shot;
 use crate::case::Case;
 use crate::case::Scene;
+use crate::first_line::first_line;
 use crate::mistake::centered;
 use crate::other;
 use crate::other::Answer;
 use common::Pixel;
 use show::Comparison;
-use show::Frame;
+use show::Difference;
 use show::Program;
+use show::Radiance;
 use show::Verdict;
 use show::Workspace;
-use show::render_parallel;
 use show::side_by_side;
 use show::text;
 use show::written;
+
+/// How many times its light a picture is compared with: as it is seen, what is darker than black, and
+/// what is brighter than white. Where a picture cuts it off, the mean of many rays does not.
+const TIMES: [f32; 3] = [1.0, -1.0, 1.0 / 16.0];
+
+/// Where, in eighths across and down, both programs have to tell the same.
+const TOLD: [(usize, usize); 3] = [(4, 4), (3, 5), (6, 4)];
+
+/// A picture of both programs.
+struct Compared<'a> {
+    case: &'a Case,
+    shot: Shot<'a>,
+    times: f32,
+    expected: RgbImage,
+    found: RgbImage,
+    comparison: Comparison,
+}
 
 /// Whether the program of step `name` is `program`, or of `program` itself whether its pixel loop is
 /// right; and if not, where and perhaps why.
@@ -33,11 +55,10 @@ pub(crate) fn check(program: &Program, name: &str) -> Result<Verdict> {
     let scenes: Vec<Scene> = scenes
         .collect::<Result<_, String>>()
         .map_err(|name| anyhow!(text!("'{name}' cannot be set", name)))?;
-    let frames: Vec<Frame<'_>> =
-        cases.iter().zip(&scenes).map(|(case, scene)| case.frame(scene)).collect();
-    let render = |frame: &Frame<'_>| render_parallel(frame, |_| ());
+    let shots = cases.iter().zip(&scenes).map(|(case, scene)| (case, case.shot(scene)));
+    let mut built = None;
     let answers = if itself {
-        frames.iter().map(|frame| Answer::Picture(render(frame))).collect()
+        shots.clone().map(|(_, shot)| Answer::Picture(shot.frame.radiance())).collect()
     } else {
         let workspace = Workspace::find()?;
         let steps = workspace.steps();
@@ -46,25 +67,25 @@ pub(crate) fn check(program: &Program, name: &str) -> Result<Verdict> {
             let unknown = text!("there is no step '{name}'; there are {names}", name, names);
             return Ok(Verdict::Unknown(unknown));
         }
-        other::ask(name, &workspace.build(name)?, &cases)?
+        other::ask(name, built.insert(workspace.build(name)?), &cases)?
     };
-    let expected: Vec<RgbImage> =
-        frames.iter().map(|frame| if itself { centered(frame) } else { render(frame) }).collect();
-    let mut compared = Vec::new();
+    let mut compared: Vec<Compared<'_>> = Vec::new();
     let mut lacking: Vec<&str> = Vec::new();
-    for (index, answer) in answers.iter().enumerate() {
+    for ((case, shot), answer) in shots.zip(&answers) {
         match answer {
             Answer::Picture(found) => {
-                let (frame, expected) = (frames[index], &expected[index]);
-                let comparison = Comparison::new(expected, found, &[]);
-                compared.push((&cases[index], Pair { frame, expected, found }, comparison));
+                let expected = if itself { centered(&shot.frame) } else { shot.frame.radiance() };
+                compared.extend(
+                    TIMES.map(|times| Compared::new(case, shot, times, [&expected, found])),
+                );
             }
             Answer::Lacks(control) if !lacking.contains(&control.as_str()) => lacking.push(control),
             Answer::Lacks(_) => {}
         }
     }
-    let count = compared.len();
-    let mut differing = compared.iter().filter(|(.., comparison)| !comparison.is_equal());
+    let count = compared.len() / TIMES.len();
+    let differ = |pictures: &[Compared<'_>]| pictures.iter().any(|it| !it.comparison.is_equal());
+    let differing = compared.chunks(TIMES.len()).filter(|pictures| differ(pictures)).count();
     let lacking = match lacking.is_empty() {
         true => String::new(),
         false => text!(
@@ -73,7 +94,10 @@ pub(crate) fn check(program: &Program, name: &str) -> Result<Verdict> {
             controls = lacking.join(", ")
         ),
     };
-    let Some((case, pair, comparison)) = differing.next() else {
+    let is_seen = |it: &&Compared<'_>| it.times == 1.0 && !it.comparison.is_equal();
+    let first = compared.iter().find(is_seen);
+    let first = first.or_else(|| compared.iter().find(|it| !it.comparison.is_equal()));
+    let Some(first) = first else {
         let done = match itself {
             true => text!(
                 "done: the pixel loop of {name} is right in all {count} pictures",
@@ -87,33 +111,96 @@ pub(crate) fn check(program: &Program, name: &str) -> Result<Verdict> {
                 other = program.name
             ),
         };
-        return Ok(Verdict::Right(format!("{done}{lacking}\n")));
+        let note = match (&built, compared.first()) {
+            (Some(built), Some(first)) => first.told_otherwise(program.name, name, built)?,
+            _ => String::new(),
+        };
+        return Ok(Verdict::Right(format!("{done}{lacking}\n{note}")));
     };
     let mut text = text!(
         "{name}: {differing} of {count} pictures differ{lacking}\nfirst {options}\n",
         name,
-        differing = 1 + differing.count(),
+        differing,
         count,
         lacking,
-        options = case
+        options = first.case
     );
-    text += &format!("{comparison}\n");
-    let pairs: Vec<Pair<'_>> = compared.iter().map(|(_, pair, _)| Pair { ..*pair }).collect();
-    text += &Diagnosis::new(program.name, &pairs).to_string();
-    if let Comparison::Different(difference) = comparison {
-        let (col, row) = (difference.worst.0 as usize, difference.worst.1 as usize);
-        let (width, height) = (case.size.width(), case.size.height());
-        let explanation =
-            pair.frame.step.explain(pair.frame.camera, Pixel { col, row, width, height });
-        text += &text!(
-            "\nas {name} has it:\n{explanation}",
-            name = program.name,
-            explanation = written(&explanation)
+    if first.times != 1.0 {
+        text += text!(
+            "the picture is the same, but not the light in it, which is cut off below 0 and above 1:\n"
         );
     }
+    text += &format!("{}\n", first.comparison);
+    let pairs: Vec<Pair<'_>> = compared.iter().map(Compared::pair).collect();
+    text += &Diagnosis::new(program.name, &pairs).to_string();
+    if let Comparison::Different(difference) = &first.comparison {
+        text += &first.told(program.name, name, built.as_ref(), difference)?;
+    }
     // A picture of eight pixels is to be seen, too.
-    let picture = side_by_side(pair.expected, pair.found);
+    let picture = side_by_side(&first.expected, &first.found);
     let scale = (960 / picture.width()).max(1);
     let (width, height) = (scale * picture.width(), scale * picture.height());
     Ok(Verdict::Wrong(text, imageops::resize(&picture, width, height, FilterType::Nearest)))
+}
+
+impl<'a> Compared<'a> {
+    fn new(case: &'a Case, shot: Shot<'a>, times: f32, both: [&Radiance; 2]) -> Self {
+        let [expected, found] = both.map(|radiance| radiance.times(times));
+        let comparison = Comparison::new(&expected, &found, &[]);
+        Self { case, shot, times, expected, found, comparison }
+    }
+
+    fn pair(&self) -> Pair<'_> {
+        let Self { shot, times, expected, found, .. } = self;
+        Pair { shot: *shot, times: *times, expected, found }
+    }
+
+    /// What `step`, and the program `built` of the step `name`, tell of the pixel that is furthest off.
+    fn told(
+        &self, step: &str, name: &str, built: Option<&PathBuf>, difference: &Difference,
+    ) -> Result<String> {
+        let (col, row) = (difference.worst.0 as usize, difference.worst.1 as usize);
+        let (expected, arguments) = self.of_pixel(col, row);
+        let mut text = String::new();
+        if let Some(built) = built {
+            let found = other::tell(name, built, &arguments)?;
+            let line = first_line(&expected, &found);
+            text += &line.map(|line| line.written(step, name)).unwrap_or_default();
+        }
+        let explanation = expected;
+        text += &text!("\nas {name} has it:\n{explanation}", name = step, explanation);
+        let options = arguments.join(" ");
+        text += &text!("as {name} has it: cargo run -p {name} -- {options}\n", name, options);
+        Ok(text)
+    }
+
+    /// Which line the program `built` of the step `name` tells otherwise than `step`, although both
+    /// draw the same: of the first of some pixels that has one.
+    fn told_otherwise(&self, step: &str, name: &str, built: &Path) -> Result<String> {
+        let (width, height) = (self.case.size.width(), self.case.size.height());
+        for (across, down) in TOLD {
+            let (col, row) = (width * across / 8, height * down / 8);
+            let (expected, arguments) = self.of_pixel(col, row);
+            let found = other::tell(name, built, &arguments)?;
+            if let Some(line) = first_line(&expected, &found) {
+                let note = text!(
+                    "but one line is told otherwise, which no picture here shows; of pixel ({col}, {row}):",
+                    col,
+                    row
+                );
+                return Ok(note + &line.written(step, name));
+            }
+        }
+        Ok(String::new())
+    }
+
+    /// What is told of a pixel, and what has a program tell it.
+    fn of_pixel(&self, col: usize, row: usize) -> (String, Vec<String>) {
+        let (width, height) = (self.case.size.width(), self.case.size.height());
+        let frame = self.shot.frame;
+        let explanation = frame.step.explain(frame.camera, Pixel { col, row, width, height });
+        let mut arguments = self.case.arguments();
+        arguments.extend(["--pixel".to_owned(), format!("{col},{row}")]);
+        (written(&explanation), arguments)
+    }
 }

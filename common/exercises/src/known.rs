@@ -9,11 +9,14 @@ use crate::said::told;
 use crate::symbol::*;
 use common::Color;
 use common::Pixel;
+use common::Ray;
 
 macro_rules! kind {
     (told $($slip:tt)*) => { Kind::Told(told!($($slip)*)) };
     (mapped $place:expr) => { Kind::Mapped($place) };
+    (unasked $($slip:tt)*) => { Kind::Unasked(told!($($slip)*)) };
     (blocked $range:expr) => { Kind::Blocked($range) };
+    (seen $color:expr) => { Kind::Seen($color) };
     (encoded $encoding:expr) => { Kind::Encoded($encoding) };
 }
 
@@ -46,6 +49,16 @@ pub(crate) const ALL: &[Mistake] = known! {
             mapped(|pixel| grid(pixel, 0.0, 1.0));
         "The ½ is added, but it divides by width − 1 and height − 1" =>
             mapped(|pixel| grid(pixel, 0.5, 1.0));
+        "The picture is shifted by a pixel downwards: v has + ½, not − ½" =>
+            mapped(|pixel| (center(pixel).0, grid(pixel, -0.5, 0.0).1));
+        "The picture is shifted by a pixel to the right: u has + ½, not − ½" =>
+            mapped(|pixel| (grid(pixel, -0.5, 0.0).0, center(pixel).1));
+        "col / width is a division of whole numbers, and so 0: make both f32 before" =>
+            mapped(|_| (0.0, 1.0));
+        "col / width is a division of whole numbers, and so 0: make both f32 before" =>
+            mapped(|pixel| (0.0, center(pixel).1));
+        "row / height is a division of whole numbers, and so 0: make both f32 before" =>
+            mapped(|pixel| (center(pixel).0, 1.0));
         "u and v are exchanged" =>
             mapped(|pixel| { let (u, v) = center(pixel); (v, u) });
         "Columns and rows are exchanged" =>
@@ -56,6 +69,14 @@ pub(crate) const ALL: &[Mistake] = known! {
             mapped(|pixel| { let (u, v) = center(pixel); (1.0 - u, v) });
         "The picture is turned by 180°: u grows to the right, v upwards" =>
             mapped(|pixel| { let (u, v) = center(pixel); (1.0 - u, 1.0 - v) });
+        "The picture is shifted by a pixel to the left: columns begin at 0, not at 1" =>
+            mapped(|pixel| (grid(pixel, 1.5, 0.0).0, center(pixel).1));
+        "The picture is shifted by a pixel upwards: rows begin at 0, not at 1" =>
+            mapped(|pixel| (center(pixel).0, grid(pixel, 1.5, 0.0).1));
+        "The aspect is forgotten: the image plane is as wide as it is high" =>
+            mapped(|pixel| { let (u, v) = center(pixel); (narrowed(u, pixel), v) });
+        "fov is the angle from the lowest row to the highest, not from left to right" =>
+            mapped(|pixel| { let (u, v) = center(pixel); (narrowed(u, pixel), narrowed(v, pixel)) });
         "u and v go from −1 to 1, not from 0 to 1" =>
             mapped(|pixel| { let (u, v) = center(pixel); (2.0 * u - 1.0, 2.0 * v - 1.0) });
     }
@@ -72,18 +93,19 @@ pub(crate) const ALL: &[Mistake] = known! {
             encoded(|color| color.powf(0.5));
         "The picture is encoded by the power 1/2.2, not as sRGB" =>
             encoded(|color| color.powf(1.0 / 2.2));
+        "What is brighter than white begins again at black: cut it off at 255" =>
+            encoded(|color| (255.0 * srgb(color)).round() % 256.0 / 255.0);
         "Red and blue are exchanged" =>
             encoded(|color| srgb(Color::new(color.z, color.y, color.x)));
-        "Red and green are exchanged (of a triangle: α and β)" =>
+        "Red and green are exchanged" =>
             encoded(|color| srgb(Color::new(color.y, color.x, color.z)));
-        "Green and blue are exchanged (of a triangle: β and γ)" =>
+        "Green and blue are exchanged" =>
             encoded(|color| srgb(Color::new(color.x, color.z, color.y)));
     }
     "Intersecção entre raio e esfera", "intersect in sphere.rs" {
         "t > 0 is not asked: what is behind the eye is seen too" =>
             told(|said|
                 T_1(t) => ahead(t),
-                T(t) => ahead(t),
                 POINT(_) => said.viewing_ray()?.at(said.root(-1.0)?));
         "The roots are in the wrong order: the larger t is tried first" =>
             told(|said| T_1(_) => said.root(1.0)?, T_2(_) => said.root(-1.0)?);
@@ -91,6 +113,18 @@ pub(crate) const ALL: &[Mistake] = known! {
             told(|_| T_2(_) => -1.0);
         "Only the larger root is tried" =>
             told(|_| T_1(_) => -1.0);
+        "t is −b/a, the middle of both roots: √D is missing" =>
+            told(|said|
+                T_1(_) => -said.get(B)? / said.get(A)?, T_2(_) => -said.get(B)? / said.get(A)?);
+        "Only what is behind the eye is seen: it is t > 0 that has to be asked" =>
+            told(|_|
+                T_1(t) => if t < 0.0 { ahead(t) } else { -1.0 },
+                T_2(t) => if t < 0.0 { ahead(t) } else { -1.0 });
+        "The minus before b is missing: t = (−b ± √D)/a" =>
+            told(|said|
+                T_1(_) => said.root(-1.0)? + 2.0 * said.get(B)? / said.get(A)?,
+                T_2(_) => said.root(1.0)? + 2.0 * said.get(B)? / said.get(A)?);
+        "√D is D: the square root is missing" => told(|said| ROOT(_) => said.get(D)?);
         "The sign in the discriminant is wrong: it is b² − a c" =>
             told(|said| D(d) => { let (b_squared, a_c) = said.squares(d)?; b_squared + a_c });
         "b² − 4 a c belongs to a t² + b t + c, not to a t² + 2 b t + c" =>
@@ -118,6 +152,23 @@ pub(crate) const ALL: &[Mistake] = known! {
                 said.get(T)?;
                 normal * said.get(D)? / normal.dot(said.viewing_ray()?.direction)
             });
+        "β and γ are exchanged" => seen(|said, color| {
+            let [alpha, beta, gamma] = said.seen_weights(color)?;
+            Some(Color::new(alpha, gamma, beta))
+        });
+        "α and β are exchanged" => seen(|said, color| {
+            let [alpha, beta, gamma] = said.seen_weights(color)?;
+            Some(Color::new(beta, alpha, gamma))
+        });
+        "α and γ are exchanged" => seen(|said, color| {
+            let [alpha, beta, gamma] = said.seen_weights(color)?;
+            Some(Color::new(gamma, beta, alpha))
+        });
+        "t > 0 is not asked: what is behind the eye is seen too" =>
+            told(|_| T(t) => ahead(t));
+        "D has the wrong sign" =>
+            told(|_| T(t) => -t, BETA(beta) => -beta, GAMMA(gamma) => -gamma);
+        "β and γ have the wrong sign" => told(|_| BETA(beta) => -beta, GAMMA(gamma) => -gamma);
         "β has the wrong sign" => told(|_| BETA(beta) => -beta);
         "γ has the wrong sign" => told(|_| GAMMA(gamma) => -gamma);
         "t has the wrong sign" => told(|_| T(t) => -t);
@@ -128,25 +179,49 @@ pub(crate) const ALL: &[Mistake] = known! {
     }
     "Ponto pertencente à triângulo", "solve in triangle.rs" {
         "α ≥ 0 is not asked: the triangle is a parallelogram" =>
-            told(|_| ALPHA(alpha) => alpha.max(0.0));
+            unasked(|_| ALPHA(alpha) => alpha.max(0.0));
         "β ≥ 0 is not asked" =>
-            told(|said|
-                BETA(beta) => beta.max(0.0), ALPHA(_) => said.alpha()?, POINT(_) => said.on_plane()?);
+            unasked(|said|
+                BETA(beta) => beta.max(0.0), ALPHA(_) => said.weights()?[0], POINT(_) => said.on_plane()?);
         "γ ≥ 0 is not asked" =>
-            told(|said|
-                GAMMA(gamma) => gamma.max(0.0), ALPHA(_) => said.alpha()?, POINT(_) => said.on_plane()?);
+            unasked(|said|
+                GAMMA(gamma) => gamma.max(0.0), ALPHA(_) => said.weights()?[0], POINT(_) => said.on_plane()?);
         "Whether the point is inside is not asked: the whole plane is seen" =>
-            told(|said|
+            unasked(|said|
                 BETA(beta) => beta.max(0.0),
                 GAMMA(gamma) => gamma.max(0.0),
-                ALPHA(_) => said.alpha()?.max(0.0),
+                ALPHA(_) => said.weights()?[0].max(0.0),
                 POINT(_) => said.on_plane()?);
+        "α is 1 − β − γ: a sign is wrong" =>
+            told(|said| ALPHA(_) => 1.0 - said.get(BETA)? + said.get(GAMMA)?);
+        "α is 1 − β − γ: a sign is wrong" =>
+            told(|said| ALPHA(_) => 1.0 + said.get(BETA)? - said.get(GAMMA)?);
+        "α is 1 − β − γ: a sign is wrong" =>
+            told(|said| ALPHA(_) => 1.0 + said.get(BETA)? + said.get(GAMMA)?);
     }
     "Intersecção de raios em software", "intersect in scene.rs" {
+        "t > 0 is not asked, of no surface: what is behind the eye is seen too" =>
+            told(|said|
+                T_1(t) => ahead(t),
+                T(t) => ahead(t),
+                POINT(_) => said.viewing_ray()?.at(said.root(-1.0)?));
         "t_max stays as it was: the last hit wins, not the closest" =>
             told(|_| T_MAX(_) => f32::INFINITY);
+        "The largest t wins: the hit is the farthest, not the closest" =>
+            told(|said|
+                T_MAX(_) => f32::INFINITY,
+                T_1(t) => said.if_farthest(t)?,
+                T_2(t) => if said.root(-1.0)? > 0.0 { -1.0 } else { said.if_farthest(t)? },
+                T(t) => said.if_farthest(t)?);
         "The first hit wins, not the closest" => told(|_| T_MAX(_) => 0.0);
         "The background is black" => told(|_| BACKGROUND(_) => Color::ZERO);
+    }
+    "Somando as contribuições", "shade in material.rs" {
+        "The specular term L_s is missing" => told(|_| L_S(_) => Color::ZERO);
+        "The diffuse term L_d is missing" => told(|_| L_D(_) => Color::ZERO);
+    }
+    "Múltiplas luzes", "shade in scene.rs" {
+        "No light is added: L is L_a alone" => told(|_| VISIBLE(_) => 0.0);
     }
     "Reflexão Lambertiana", "shade in material.rs" {
         "n is not turned to the viewer: where n·v < 0 it is −n" =>
@@ -189,19 +264,47 @@ pub(crate) const ALL: &[Mistake] = known! {
         "I is divided by 4π r², as if it were a power" =>
             told(|_| IRRADIANCE(irradiance) => irradiance / (4.0 * PI));
     }
+    "Atenuação por distância", "shade in material.rs" {
+        "r is the light's distance from the origin, not from the point" =>
+            told(|said| IRRADIANCE(irradiance) => {
+                let light = said.seen(POINT)? + said.to_light()?;
+                irradiance * said.get(R_SQUARED)? / light.length_squared()
+            });
+        "r is the point's distance from the origin, not from the light" =>
+            told(|said| IRRADIANCE(irradiance) =>
+                irradiance * said.get(R_SQUARED)? / said.seen(POINT)?.length_squared());
+        "r is the t of the viewing ray, not the distance from the point to the light" =>
+            told(|said| IRRADIANCE(irradiance) =>
+                irradiance * said.get(R_SQUARED)? / said.seen(T_MAX)?.powi(2));
+    }
     "Sombras", "is_blocked in scene.rs" {
         "There are no shadows: V is always 1" => told(|_| VISIBLE(_) => 1.0);
         "It is the wrong way round: V is 1 where something blocks the light" =>
             told(|_| VISIBLE(v) => 1.0 - v);
-        "ε is 0: surfaces shadow themselves" => blocked(|_| (0.0, 1.0));
+        "ε is 0: surfaces shadow themselves" =>
+            blocked(|ray, _| between(ray, 0.0, 1.0));
         "The shadow ray does not end at the light (t = 1): what is behind the light blocks it" =>
-            blocked(|_| (1e-3, f32::INFINITY));
+            blocked(|ray, epsilon| between(ray, epsilon, f32::INFINITY));
         "The shadow ray's direction has unit length, but it ends at t = 1: that is not the light" =>
-            blocked(|length| (1e-3 / length, 1.0 / length));
+            blocked(|ray, epsilon| {
+                let length = ray.direction.length();
+                between(ray, epsilon / length, 1.0 / length)
+            });
+    }
+    "Sombras", "is_blocked in scene.rs" {
+        "The shadow ray comes from the light, with ε there: it is at the surface that ε is needed" =>
+            blocked(|ray, epsilon| {
+                between(Ray::new(ray.at(1.0), -ray.direction), epsilon, 1.0)
+            });
+        "Where one light is blocked all is black: black is what that light alone adds" =>
+            told(|said| RADIANCE(l) =>
+                if said.lights_seen() < said.lights().len() { Color::ZERO } else { l });
     }
     "Múltiplas luzes", "shade in scene.rs" {
         "Of the lights after one that is blocked none is asked" =>
             told(|said| VISIBLE(v) => if said.lights_seen() < said.lights().len() { 0.0 } else { v });
+        "Each light takes the place of what was there: it is +=, not =" =>
+            told(|said| RADIANCE(_) => said.last_light()?);
         "The first light is left out" =>
             told(|said| VISIBLE(v) => if said.lights().is_empty() { 0.0 } else { v });
         "The second light is left out" =>
@@ -214,6 +317,8 @@ pub(crate) const ALL: &[Mistake] = known! {
     }
     "Illuminação ambiente", "shade in scene.rs" {
         "The ambient term L_a is missing" => told(|_| L_A(_) => Color::ZERO);
+        "The ambient term is grey: k_a has the surface's colour" =>
+            told(|_| K_A(_) => Color::splat(0.1));
         "The ambient term is I_a alone, without k_a" => told(|_| K_A(_) => Color::ONE);
         "The ambient term is k_a alone, without I_a" => told(|_| I_A(_) => 1.0);
         "The ambient term is added once for each light" =>
@@ -224,8 +329,6 @@ pub(crate) const ALL: &[Mistake] = known! {
             told(|said| RADIANCE(l) => (l - said.ambient()?) * said.ambient()?);
     }
     "Somando as contribuições", "shade in material.rs" {
-        "The specular term L_s is missing" => told(|_| L_S(_) => Color::ZERO);
-        "The diffuse term L_d is missing" => told(|_| L_D(_) => Color::ZERO);
         "k_s is missing" => told(|_| K_S(_) => 1.0);
         "The highlight is not multiplied by I/r²" =>
             told(|said| L_S(l_s) => l_s / said.get(IRRADIANCE)?);
@@ -239,6 +342,13 @@ pub(crate) const ALL: &[Mistake] = known! {
     "Modelo Blinn-Phong", "shade in material.rs" {
         "The highlight is Phong's, v_r·v, not Blinn-Phong's, n·h" =>
             told(|said| N_DOT_H(_) => said.v_r()?.dot(said.get(TO_VIEWER)?));
+        "v_r is 2 (n·l) n − l, not 2 (n·v) n − l; and Blinn-Phong takes n·h" =>
+            told(|said| N_DOT_H(_) => {
+                let v = said.get(TO_VIEWER)?;
+                (2.0 * said.n_dot(v)? * said.get(N)? - said.get(TO_LIGHT)?).dot(v)
+            });
+        "It is max(0, n·h) to the power p, not times p" =>
+            told(|said| HIGHLIGHT(_) => said.get(N_DOT_H)?.max(0.0) * said.get(EXPONENT)?);
         "h is not of unit length: divide v + l by its length" =>
             told(|said| N_DOT_H(_) => said.n_dot(said.v_plus_l()?)?);
         "h is (v + l)/2, not of unit length: divide v + l by its length" =>
@@ -270,6 +380,16 @@ fn grid(pixel: Pixel, offset: f32, less: f32) -> (f32, f32) {
     let Pixel { col, row, width, height } = pixel;
     let share = |index: usize, of: usize| (index as f32 + offset) / (of as f32 - less).max(1.0);
     (share(col, width), 1.0 - share(row, height))
+}
+
+/// The share of a picture that is as wide as it is high.
+fn narrowed(share: f32, pixel: Pixel) -> f32 {
+    0.5 + (share - 0.5) * pixel.height as f32 / pixel.width as f32
+}
+
+/// The part of `ray` between these t: a ray, and the t at which it ends.
+fn between(ray: Ray, from: f32, to: f32) -> (Ray, f32) {
+    (Ray::new(ray.at(from), ray.direction), to - from)
 }
 
 /// The (u, v) of a pixel's centre.

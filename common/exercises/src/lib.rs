@@ -6,12 +6,14 @@
 mod case;
 mod check;
 mod diagnosis;
+mod first_line;
 mod known;
 mod milestone;
 mod mistake;
 mod other;
 mod said;
 mod sample;
+mod settings;
 mod symbol;
 
 use std::env;
@@ -26,12 +28,15 @@ pub use diagnosis::Diagnosis;
 pub use milestone::Milestone;
 pub use mistake::Mistake;
 pub use sample::Pair;
+use sample::Sample;
+pub use sample::Shot;
+use settings::Settings;
 use show::Code;
 use show::Exercises;
 use show::Files;
-use show::Frame;
 use show::Lesson;
 use show::Program;
+use show::Setup;
 use show::Shown;
 use show::Size;
 use show::Suite;
@@ -69,9 +74,19 @@ pub fn lecture(suite: Suite) -> ExitCode {
 struct Known;
 
 impl Exercises for Known {
-    fn suspect(&self, frame: &Frame<'_>, expected: &RgbImage, found: &RgbImage) -> String {
+    fn suspect(
+        &self, setup: &Setup, samples: usize, expected: &RgbImage, found: &RgbImage,
+    ) -> Result<String> {
+        let size = Size::new(expected.width() as usize, expected.height() as usize)?;
+        let camera = setup.view().camera(size.aspect());
+        let shot = Shot::new(setup, &*camera, size, samples);
+        let pairs = [Pair { shot, times: 1.0, expected, found }];
+        // What is right but for its settings is no mistake: that is said first.
+        let others = Sample::new(&pairs)
+            .and_then(|sample| Settings { setup, size, samples, sample: &sample }.others());
+        let others = others.map_or(String::new(), |others| others + "\n");
         // Of which exercise a picture is, nobody has said.
-        Diagnosis::new("", &[Pair { frame: *frame, expected, found }]).to_string()
+        Ok(others + &Diagnosis::new("", &pairs).to_string())
     }
 
     fn check(&self, program: &Program, name: &str) -> Result<Verdict> {

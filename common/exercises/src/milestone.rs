@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use crate::mistake::radiance;
+use crate::mistake::told_of;
+use crate::mistake::unasked;
 use crate::said::ahead;
 use crate::said::told;
 use crate::sample::Place;
@@ -13,6 +14,17 @@ use common::Slip;
 use show::encode;
 use show::text;
 use show::translated;
+
+/// How a milestone's ways are coloured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Colored {
+    /// As they are told.
+    Told,
+    /// As they are computed, though told otherwise so that nothing asked of it fails.
+    Computed,
+    /// What is white in these ways may have any one colour, as all else is black.
+    AnyOne,
+}
 
 /// A milestone of an exercise.
 #[derive(Debug)]
@@ -27,8 +39,7 @@ pub struct Milestone {
     pub next: &'static str,
     /// What the step tells otherwise there, in one way or another.
     ways: &'static [Slip],
-    /// Whether what is white in these ways may have any one colour, as all else is black.
-    any_color: bool,
+    color: Colored,
 }
 
 impl fmt::Display for Milestone {
@@ -52,7 +63,7 @@ impl Milestone {
             missing: "0 < t < ∞",
             next: "the roots, as the sphere may be behind the eye, or the eye inside the sphere",
             ways: &[told!(|_| T_1(t) => ahead(t))],
-            any_color: false,
+            color: Colored::Told,
         },
         Self {
             step: "step03_triangle",
@@ -60,7 +71,7 @@ impl Milestone {
             missing: "α, β and γ",
             next: "β and γ",
             ways: &[told!(|_| ALPHA(_) => 1.0, BETA(_) => 1.0, GAMMA(_) => 1.0)],
-            any_color: true,
+            color: Colored::AnyOne,
         },
         Self {
             step: "step03_triangle",
@@ -70,8 +81,8 @@ impl Milestone {
             ways: &[told!(|said|
                 BETA(beta) => beta.max(0.0),
                 GAMMA(gamma) => gamma.max(0.0),
-                ALPHA(_) => said.alpha()?.max(0.0))],
-            any_color: false,
+                ALPHA(_) => said.weights()?[0].max(0.0))],
+            color: Colored::Computed,
         },
         Self {
             step: "step04_scene",
@@ -83,7 +94,7 @@ impl Milestone {
                 told!(|said| T_1(t) => said.of_sphere(1, t)?, T_2(t) => said.of_sphere(1, t)?, T(_) => -1.0),
                 told!(|said| T_1(t) => said.of_sphere(2, t)?, T_2(t) => said.of_sphere(2, t)?, T(_) => -1.0),
             ],
-            any_color: false,
+            color: Colored::Told,
         },
         Self {
             step: "step04_scene",
@@ -91,7 +102,7 @@ impl Milestone {
             missing: "the triangles",
             next: "the whole scene",
             ways: &[told!(|_| T(_) => -1.0)],
-            any_color: false,
+            color: Colored::Told,
         },
         Self {
             step: "step05_diffuse",
@@ -99,7 +110,7 @@ impl Milestone {
             missing: "I/r²",
             next: "the light, divided by r²",
             ways: &[told!(|_| IRRADIANCE(_) => 1.0)],
-            any_color: false,
+            color: Colored::Told,
         },
         Self {
             step: "step06_shadows",
@@ -109,7 +120,7 @@ impl Milestone {
             ways: &[told!(|said|
                 VISIBLE(v) => if said.lights().is_empty() { v } else { 0.0 },
                 L_A(_) => Color::ZERO)],
-            any_color: false,
+            color: Colored::Told,
         },
         Self {
             step: "step06_shadows",
@@ -117,7 +128,7 @@ impl Milestone {
             missing: "the ambient light",
             next: "the ambient term, L_a = k_a I_a",
             ways: &[told!(|_| L_A(_) => Color::ZERO)],
-            any_color: false,
+            color: Colored::Told,
         },
         Self {
             step: "step07_specular",
@@ -125,7 +136,7 @@ impl Milestone {
             missing: "h, halfway between v and l",
             next: "n·h in place of v_r·v",
             ways: &[told!(|said| N_DOT_H(_) => said.v_r()?.dot(said.get(TO_VIEWER)?))],
-            any_color: false,
+            color: Colored::Told,
         },
     ];
 
@@ -136,16 +147,27 @@ impl Milestone {
     ) -> Option<usize> {
         let of = |way: &Slip| {
             let slips: Vec<Slip> = [*way].into_iter().chain(mistake).collect();
-            let pixel = |place: &Place<'_>| encode(radiance(place, &slips));
-            let white = encode(Color::ONE);
-            if !self.any_color {
+            let pixel = |place: &Place<'_>| {
+                let said = told_of(place, &slips);
+                let computed = self.color == Colored::Computed;
+                let color = if computed { unasked(&said) } else { said.color };
+                encode(place.pair.times * color)
+            };
+            if self.color != Colored::AnyOne {
                 return sample.misfits(part, pixel);
             }
-            let color = sample.places().find(|place| pixel(place) == white)?.found();
+            // Only what is seen: the same colour elsewhere is darker than black nowhere.
+            let is_white =
+                |place: &Place<'_>| place.pair.times == 1.0 && pixel(place) == encode(Color::ONE);
+            let color = sample.places().find(|place| is_white(place))?.found();
             if color == encode(Color::ZERO) {
                 return None;
             }
-            sample.misfits(part, |place| if pixel(place) == white { color } else { pixel(place) })
+            sample.misfits(part, |place| match (place.pair.times == 1.0, is_white(place)) {
+                (false, _) => place.found(),
+                (true, true) => color,
+                (true, false) => pixel(place),
+            })
         };
         self.ways.iter().filter_map(of).min()
     }

@@ -1,15 +1,15 @@
 //! What a mistake makes of a picture.
 
 use std::fmt;
-
-use image::Rgb;
-use image::RgbImage;
+use std::mem::discriminant;
 
 use crate::known;
 use crate::known::center;
+use crate::said::Said;
 use crate::said::added;
 use crate::said::told;
 use crate::sample::Place;
+use crate::sample::Shot;
 use crate::symbol::VISIBLE;
 use common::Camera;
 use common::Color;
@@ -20,6 +20,7 @@ use common::Recorder;
 use common::Slip;
 use common::Step;
 use show::Frame;
+use show::Radiance;
 use show::encode;
 use show::first_hit;
 use show::translated;
@@ -45,9 +46,13 @@ pub(crate) enum Kind {
     Mapped(fn(Pixel) -> (f32, f32)),
     /// A value told is another.
     Told(Slip),
-    /// A light is blocked by what is between these t of the shadow ray, whose length is given.
-    Blocked(fn(f32) -> (f32, f32)),
-    /// The radiance, linear, is put otherwise into a pixel: 0 to 1.
+    /// The same, so that what is asked of the value lets it pass; where it is seen, it is as it was.
+    Unasked(Slip),
+    /// A light is blocked by what is on the ray that this makes of the shadow ray and ε, up to this t.
+    Blocked(fn(Ray, f32) -> (Ray, f32)),
+    /// Another colour is seen, if this knows one, than by all that was told.
+    Seen(fn(&Said<'_>, Color) -> Option<Color>),
+    /// The radiance, linear, is put otherwise into a pixel: 0 to 1, or cut off there.
     Encoded(fn(Color) -> Color),
 }
 
@@ -63,73 +68,115 @@ impl Mistake {
     /// All that are known.
     pub const ALL: &'static [Self] = known::ALL;
 
-    /// What the pixel (col, row) of `frame` is with this mistake.
-    pub fn pixel(&self, frame: &Frame<'_>, col: u32, row: u32) -> [u8; 3] {
-        let n = frame.samples;
-        let (width, height) = (n * frame.size.width(), n * frame.size.height());
-        let mut sum = Color::ZERO;
-        for index in 0..n * n {
-            let (col, row) = (n * col as usize + index % n, n * row as usize + index / n);
-            let pixel = Pixel { col, row, width, height };
-            sum += self.color(frame.step, frame.camera, pixel);
-        }
-        let color = sum / (n * n) as f32;
-        match self.kind {
-            Kind::Encoded(encoding) => {
-                encoding(color.clamp(Color::ZERO, Color::ONE)).to_array().map(byte)
-            }
-            _ => encode(color),
-        }
+    /// What the pixel (col, row) of `shot` is with this mistake.
+    pub fn pixel(&self, shot: &Shot<'_>, col: u32, row: u32) -> [u8; 3] {
+        pixel(&[self], shot, 1.0, col, row)
     }
 
-    /// The radiance of `pixel` with this mistake, unless it is one of encoding.
-    fn color(&self, step: &dyn Step, camera: &dyn Camera, pixel: Pixel) -> Color {
-        let (u, v) = match self.kind {
-            Kind::Mapped(place) => place(pixel),
-            _ => center(pixel),
-        };
-        let ray = camera.generate_ray(u, v);
-        match self.kind {
-            Kind::Told(slip) => seen(step, ray, pixel, &[slip]).color,
-            Kind::Mapped(_) | Kind::Encoded(_) => seen(step, ray, pixel, &[]).color,
+    /// Whether it and `other` can be made at once: they are not two of the same kind of thing.
+    pub(crate) fn goes_with(&self, other: &Self) -> bool {
+        let is_told = |it: &Self| matches!(it.kind, Kind::Told(_) | Kind::Unasked(_));
+        let differ = discriminant(&self.kind) != discriminant(&other.kind);
+        self.what != other.what && (differ || is_told(self))
+    }
+
+    /// Whether only the pixels of a finished picture show it: no step does it.
+    pub(crate) fn is_encoding(&self) -> bool {
+        matches!(self.kind, Kind::Encoded(_))
+    }
+}
+
+/// What a place has to show with `mistakes`.
+pub(crate) fn mistaken(mistakes: &[&Mistake], place: &Place<'_>) -> [u8; 3] {
+    let Place { pair, col, row } = place;
+    pixel(mistakes, &pair.shot, pair.times, *col, *row)
+}
+
+/// What the pixel (col, row) of `shot` is with `mistakes` and so many times the light.
+pub(crate) fn pixel(
+    mistakes: &[&Mistake], shot: &Shot<'_>, times: f32, col: u32, row: u32,
+) -> [u8; 3] {
+    let n = shot.frame.samples;
+    let (width, height) = (n * shot.frame.size.width(), n * shot.frame.size.height());
+    let mut sum = Color::ZERO;
+    for index in 0..n * n {
+        let (col, row) = (n * col as usize + index % n, n * row as usize + index / n);
+        sum += color(mistakes, shot, Pixel { col, row, width, height });
+    }
+    let color = times * sum / (n * n) as f32;
+    let encoding = mistakes.iter().find_map(|mistake| match mistake.kind {
+        Kind::Encoded(encoding) => Some(encoding),
+        _ => None,
+    });
+    encoding.map_or_else(|| encode(color), |encoding| encoding(color).to_array().map(byte))
+}
+
+/// The radiance of `pixel` with `mistakes`, but for those of encoding.
+fn color(mistakes: &[&Mistake], shot: &Shot<'_>, pixel: Pixel) -> Color {
+    let Frame { step, camera, .. } = shot.frame;
+    let (mut u, mut v) = center(pixel);
+    let (mut slips, mut blocked, mut other, mut is_asked) = (Vec::new(), None, None, true);
+    for mistake in mistakes {
+        match mistake.kind {
+            Kind::Mapped(place) => (u, v) = place(pixel),
+            Kind::Told(slip) => slips.push(slip),
+            Kind::Unasked(slip) => {
+                slips.push(slip);
+                is_asked = false;
+            }
             Kind::Blocked(range) => {
-                let said = seen(step, ray, pixel, &[told!(|_| VISIBLE(_) => 1.0)]);
-                let mut color = said.color;
-                for light in said.told.all() {
-                    let ray = light.lines().find_map(|line| match line.place {
-                        Some(common::Place::ShadowRay(ray, _)) => Some(ray),
-                        _ => None,
-                    });
-                    let Some(ray) = ray else { continue };
-                    let (from, to) = range(ray.direction.length());
-                    let ahead = Ray::new(ray.at(from), ray.direction);
-                    if first_hit(step, &ahead).is_some_and(|t| t + from < to) {
-                        color -= added(light);
-                    }
-                }
-                color
+                slips.push(told!(|_| VISIBLE(_) => 1.0));
+                blocked = Some(range);
+            }
+            Kind::Seen(color) => other = Some(color),
+            Kind::Encoded(_) => {}
+        }
+    }
+    let said = seen(step, camera.generate_ray(u, v), pixel, &slips);
+    let mut color = if is_asked { said.color } else { unasked(&said) };
+    if let Some(range) = blocked {
+        for light in said.told.all() {
+            let ray = light.lines().find_map(|line| match line.place {
+                Some(common::Place::ShadowRay(ray, _)) => Some(ray),
+                _ => None,
+            });
+            let Some(ray) = ray else { continue };
+            let (ray, end) = range(ray, shot.epsilon);
+            if first_hit(step, &ray).is_some_and(|t| t < end) {
+                color -= added(light);
             }
         }
     }
+    other.and_then(|other| other(&Said(&said), color)).unwrap_or(color)
 }
 
 /// The picture of `frame` with one ray a pixel, through its centre whatever the pixel loop does.
-pub(crate) fn centered(frame: &Frame<'_>) -> RgbImage {
+pub(crate) fn centered(frame: &Frame<'_>) -> Radiance {
     let (width, height) = (frame.size.width(), frame.size.height());
-    RgbImage::from_fn(width as u32, height as u32, |col, row| {
-        let pixel = Pixel { col: col as usize, row: row as usize, width, height };
+    let color = |index: usize| {
+        let pixel = Pixel { col: index % width, row: index / width, width, height };
         let (u, v) = center(pixel);
-        Rgb(encode(seen(frame.step, frame.camera.generate_ray(u, v), pixel, &[]).color))
-    })
+        seen(frame.step, frame.camera.generate_ray(u, v), pixel, &[]).color
+    };
+    Radiance { size: frame.size, colors: (0..width * height).map(color).collect() }
 }
 
-/// What a place shows, linear, with one ray through its centre and `slips`.
-pub(crate) fn radiance(place: &Place<'_>, slips: &[Slip]) -> Color {
-    let Frame { step, camera, size, .. } = place.pair.frame;
+/// What is told of a place with one ray through its centre and `slips`.
+pub(crate) fn told_of(place: &Place<'_>, slips: &[Slip]) -> Explanation {
+    let Frame { step, camera, size, .. } = place.pair.shot.frame;
     let (col, row) = (place.col as usize, place.row as usize);
     let pixel = Pixel { col, row, width: size.width(), height: size.height() };
     let (u, v) = center(pixel);
-    seen(step, camera.generate_ray(u, v), pixel, slips).color
+    seen(step, camera.generate_ray(u, v), pixel, slips)
+}
+
+/// The colour of `said`: where that is weights told otherwise, they themselves.
+pub(crate) fn unasked(said: &Explanation) -> Color {
+    let seen = Said(said);
+    match (seen.seen_weights(said.color), seen.weights()) {
+        (Some(_), Some(weights)) => Color::from_array(weights),
+        _ => said.color,
+    }
 }
 
 /// A camera with one ray, whatever (u, v) it is asked for.
@@ -148,6 +195,7 @@ fn seen(step: &dyn Step, ray: Ray, pixel: Pixel, slips: &[Slip]) -> Explanation 
     recorder.finish(color)
 }
 
+/// What is no number, or too small, is 0, and what is too large 255.
 fn byte(value: f32) -> u8 {
     (255.0 * value).round() as u8
 }

@@ -1,6 +1,7 @@
 //! The program of another step, which is asked for pictures as anybody would ask: on its command line.
 
 use std::collections::VecDeque;
+use std::fs;
 use std::io;
 use std::io::BufRead;
 use std::io::BufReader;
@@ -29,10 +30,12 @@ use anyhow::Context;
 use anyhow::Result;
 use anyhow::bail;
 use anyhow::ensure;
-use image::RgbImage;
 
 use crate::case::Case;
 use show::Comparison;
+use show::Language;
+use show::Radiance;
+use show::Size;
 use show::report;
 use show::text;
 
@@ -49,7 +52,7 @@ const PANIC: usize = 2;
 
 /// What a program gives when it is asked for a picture.
 pub(crate) enum Answer {
-    Picture(RgbImage),
+    Picture(Radiance),
     /// It has no control of this name, or one that does not take the value.
     Lacks(String),
 }
@@ -105,6 +108,15 @@ pub(crate) fn ask(name: &str, program: &Path, cases: &[Case]) -> Result<Vec<Answ
     })
 }
 
+/// What the program of step `name` tells with `arguments`, in the language that is spoken.
+pub(crate) fn tell(name: &str, program: &Path, arguments: &[String]) -> Result<String> {
+    let mut command = Command::new(program);
+    command.args(arguments).args(["--language", Language::spoken().name()]);
+    let said = command.stdin(Stdio::null()).stderr(Stdio::null()).output();
+    let said = said.with_context(|| text!("cannot run {name}", name))?;
+    Ok(String::from_utf8_lossy(&said.stdout).into_owned())
+}
+
 impl Other<'_> {
     /// Asks for one picture after the other. It says nothing: that is for who speaks the user's language.
     fn work(&self, sender: &Sender) {
@@ -150,9 +162,10 @@ impl Other<'_> {
         let failed = || text!("cannot run {name}", name);
         match ended {
             Ended::Drawn => {
-                let picture = image::open(self.path(index)).with_context(failed)?.to_rgb8();
-                let expected = (case.size.width() as u32, case.size.height() as u32);
-                let found = picture.dimensions();
+                let bytes = fs::read(self.path(index)).with_context(failed)?;
+                let picture = Radiance::of_pfm(&bytes).with_context(failed)?;
+                let dimensions = |size: Size| (size.width() as u32, size.height() as u32);
+                let [expected, found] = [case.size, picture.size].map(dimensions);
                 ensure!(expected == found, "{name}: {}", Comparison::Size { expected, found });
                 Ok(Answer::Picture(picture))
             }
@@ -217,7 +230,7 @@ impl Other<'_> {
     }
 
     fn path(&self, index: usize) -> PathBuf {
-        self.folder.join(format!("{index}.png"))
+        self.folder.join(format!("{index}.pfm"))
     }
 
     /// Ends all that run, and lets none begin.

@@ -81,11 +81,13 @@ impl Said<'_> {
         Some(self.viewing_ray()?.at(self.get(T)?))
     }
 
-    /// α of the triangle that is spoken of, whatever β and γ were changed to: the share of the area
-    /// that b, c and the point span.
-    pub(crate) fn alpha(&self) -> Option<f32> {
+    /// α, β and γ of the triangle that is spoken of, whatever was told of them: the shares of the areas
+    /// that its point and each two of its corners span.
+    pub(crate) fn weights(&self) -> Option<[f32; 3]> {
         let corners = |symbol: Symbol<f32>| {
-            let lines = self.0.current().lines();
+            // Where all is told, it is of the one triangle that there is.
+            let current = self.0.current().lines();
+            let lines = current.chain(self.0.told.all_lines());
             let mut places = lines.filter_map(|line| symbol.of(line).and(line.place));
             places.find_map(|place| match place {
                 Place::Area(corners) => Some(corners),
@@ -94,7 +96,26 @@ impl Said<'_> {
         };
         let ([point, c, a], [_, _, b]) = (corners(BETA)?, corners(GAMMA)?);
         let normal = (b - a).cross(c - a);
-        Some((b - point).cross(c - point).dot(normal) / normal.length_squared())
+        let share = |from: Vec3, to: Vec3| {
+            (from - point).cross(to - point).dot(normal) / normal.length_squared()
+        };
+        Some([share(b, c), share(c, a), share(a, b)])
+    }
+
+    /// α, β and γ as they were told, if it is they that are seen as `color`.
+    pub(crate) fn seen_weights(&self, color: Color) -> Option<[f32; 3]> {
+        let value = |symbol: Symbol<f32>| self.0.lines().find_map(|line| symbol.of(line));
+        let weights = [value(ALPHA)?, value(BETA)?, value(GAMMA)?];
+        (color == Color::from_array(weights)).then_some(weights)
+    }
+
+    /// `t` if nothing that was hit so far is farther; it is no hit otherwise.
+    pub(crate) fn if_farthest(&self, t: f32) -> Option<f32> {
+        let ray = self.viewing_ray()?;
+        let along =
+            |point: Vec3| (point - ray.origin).dot(ray.direction) / ray.direction.length_squared();
+        let hits = self.0.lines().filter_map(|line| POINT.of(line)).map(along);
+        Some(if t < hits.fold(0.0, f32::max) { -1.0 } else { t })
     }
 
     /// From the point to the light.
@@ -130,6 +151,13 @@ impl Said<'_> {
     /// V of each light that was spoken of.
     pub(crate) fn lights(&self) -> Vec<f32> {
         self.0.lines().filter_map(|line| VISIBLE.of(line)).collect()
+    }
+
+    /// What the last light that was seen adds, or else what was there before: L_a.
+    pub(crate) fn last_light(&self) -> Option<Color> {
+        let scopes = self.0.told.all();
+        let is_seen = |light: &&&Scope| light.lines().any(|line| VISIBLE.of(line) == Some(1.0));
+        scopes.iter().rev().find(is_seen).map(|light| added(light)).or_else(|| self.ambient())
     }
 
     /// How many lights were seen.

@@ -2,14 +2,38 @@
 
 use image::RgbImage;
 
+use common::Camera;
 use show::Frame;
+use show::Setup;
+use show::Size;
 use show::TOLERANCE;
 use show::off;
+
+/// How a picture is made, and what a mistake has to know of that.
+#[derive(Clone, Copy)]
+pub struct Shot<'a> {
+    /// What is seen, from where.
+    pub frame: Frame<'a>,
+    /// Where shadow rays begin.
+    pub(crate) epsilon: f32,
+}
+
+impl<'a> Shot<'a> {
+    /// What `camera` sees of the step as it is set up, with the square of `samples` rays a pixel.
+    pub fn new(setup: &'a Setup, camera: &'a dyn Camera, size: Size, samples: usize) -> Self {
+        let controls = setup.list();
+        let epsilon = controls.iter().find(|setting| setting.name == "epsilon");
+        let epsilon = epsilon.map_or(0.0, |setting| setting.control.value);
+        Self { frame: Frame { step: setup.step(), camera, size, samples }, epsilon }
+    }
+}
 
 /// Two pictures that should be equal, and how the one expected was made.
 pub struct Pair<'a> {
     /// What was expected.
-    pub frame: Frame<'a>,
+    pub shot: Shot<'a>,
+    /// How many times its light both have: below 0 where what is darker than black is looked at.
+    pub times: f32,
     /// Its picture.
     pub expected: &'a RgbImage,
     /// The other picture, of the same size.
@@ -28,56 +52,112 @@ impl Place<'_> {
     pub(crate) fn found(&self) -> [u8; 3] {
         self.pair.found.get_pixel(self.col, self.row).0
     }
+
+    /// What was expected here.
+    pub(crate) fn expected(&self) -> [u8; 3] {
+        self.pair.expected.get_pixel(self.col, self.row).0
+    }
 }
 
-/// Some hundred pixels, evenly from all that differ and from all others.
-pub(crate) struct Sample<'a> {
+/// Some pixels of a pair, evenly from all that differ and from all others.
+struct Part<'a> {
     differing: Vec<Place<'a>>,
     equal: Vec<Place<'a>>,
 }
 
+/// Some hundred pixels, some of each pair.
+pub(crate) struct Sample<'a>(Vec<Part<'a>>);
+
+/// How many pixels are looked at, of those that differ and of all others; and at least of each pair.
+const DIFFERING: usize = 600;
+const EQUAL: usize = 400;
+const LEAST: usize = 12;
+
+/// How many are enough for a first look.
+const FEW: usize = 40;
+
 impl<'a> Sample<'a> {
     /// None when too few differ to tell anything.
     pub(crate) fn new(pairs: &'a [Pair<'a>]) -> Option<Self> {
-        let differing = sample(pairs, 600, |off| off > TOLERANCE);
-        let equal = sample(pairs, 400, |off| off <= TOLERANCE);
-        (differing.len() >= 4).then_some(Self { differing, equal })
+        let differ = |off: u8| off > TOLERANCE;
+        let agree = |off: u8| off <= TOLERANCE;
+        let total =
+            |is_it: &dyn Fn(u8) -> bool| pairs.iter().map(|pair| places(pair, is_it).count()).sum();
+        let [differing, equal]: [usize; 2] = [total(&differ), total(&agree)];
+        let part = |pair| Part {
+            differing: sample(pair, DIFFERING, differing, &differ),
+            equal: sample(pair, EQUAL, equal, &agree),
+        };
+        (differing >= 4).then(|| Self(pairs.iter().map(part).collect()))
     }
 
     pub(crate) fn places(&self) -> impl Iterator<Item = &Place<'a>> {
-        self.differing.iter().chain(&self.equal)
+        self.0.iter().flat_map(|part| part.differing.iter().chain(&part.equal))
     }
 
-    /// How many pixels are not found as `pixel` has them; none if that is more than one in `part` of
-    /// those that differ, or more than one in five times `part` of the others.
+    /// The colour that is found everywhere, if it is one.
+    pub(crate) fn only_color(&self) -> Option<[u8; 3]> {
+        let mut seen = self.places().filter(|place| place.pair.times == 1.0).map(Place::found);
+        let color = seen.next()?;
+        seen.all(|other| other == color).then_some(color)
+    }
+
+    /// Some of its places that differ, for a first look.
+    pub(crate) fn some(&self) -> impl Iterator<Item = &Place<'a>> {
+        let differing = || self.0.iter().flat_map(|part| &part.differing);
+        differing().step_by(differing().count().div_ceil(FEW))
+    }
+
+    /// Whether most of [some](Self::some) are found as `pixel` has them.
+    pub(crate) fn may_fit(&self, pixel: impl Fn(&Place<'_>) -> [u8; 3]) -> bool {
+        let misfits = self.some().filter(|place| off(pixel(place), place.found()) > TOLERANCE);
+        misfits.take(1 + FEW / 8).count() <= FEW / 8
+    }
+
+    /// How many pixels are not found as `pixel` has them; none if that is, in a picture or in all of
+    /// them, more than one in `part` of those that differ, or more than one in five times `part` of the
+    /// others. What is only right of all pictures taken together is no explanation.
     pub(crate) fn misfits(
         &self, part: usize, pixel: impl Fn(&Place<'_>) -> [u8; 3],
     ) -> Option<usize> {
-        let count = |places: &[Place<'_>], most: usize| {
+        let count = |places: &[Place<'_>], part: usize| {
             let misfits =
                 places.iter().filter(|place| off(pixel(place), place.found()) > TOLERANCE);
+            // On a silhouette the last bit of a number may decide.
+            let most = places.len() / part + 1;
             let misfits = misfits.take(most + 1).count();
             (misfits <= most).then_some(misfits)
         };
-        let (differing, equal) = (&self.differing, &self.equal);
-        Some(count(differing, differing.len() / part)? + count(equal, equal.len() / (5 * part))?)
+        let mut all = [(0, 0); 2];
+        // Most mistakes fail in the first picture that differs.
+        for Part { differing, equal } in &self.0 {
+            for (places, part, sum) in [(differing, part, 0), (equal, 5 * part, 1)] {
+                all[sum].0 += count(places, part)?;
+                all[sum].1 += places.len();
+            }
+        }
+        let [(differing, of), (equal, of_equal)] = all;
+        (differing <= of / part && equal <= of_equal / (5 * part)).then_some(differing + equal)
     }
 
     /// By how many misfits one explanation has to be better than another to be the only one.
     pub(crate) fn margin(&self) -> usize {
-        self.differing.len() / 100
+        self.0.iter().map(|part| part.differing.len()).sum::<usize>() / 100
     }
 }
 
-/// About `most` of the places where the pictures are so far off.
-fn sample<'a>(pairs: &'a [Pair<'a>], most: usize, is_it: impl Fn(u8) -> bool) -> Vec<Place<'a>> {
-    let places = || {
-        pairs.iter().flat_map(|pair| {
-            let pixels = pair.expected.enumerate_pixels().zip(pair.found.pixels());
-            let off = pixels.filter(|((_, _, a), b)| is_it(off(a.0, b.0)));
-            off.map(move |((col, row, _), _)| Place { pair, col, row })
-        })
-    };
-    let stride = (places().count() / most).max(1);
-    places().step_by(stride).collect()
+/// The places where the pictures are so far off.
+fn places<'a>(pair: &'a Pair<'a>, is_it: impl Fn(u8) -> bool) -> impl Iterator<Item = Place<'a>> {
+    let pixels = pair.expected.enumerate_pixels().zip(pair.found.pixels());
+    let off = pixels.filter(move |((_, _, a), b)| is_it(off(a.0, b.0)));
+    off.map(move |((col, row, _), _)| Place { pair, col, row })
+}
+
+/// Some of these places: this pair's share of `most` if all pairs have `total`.
+fn sample<'a>(
+    pair: &'a Pair<'a>, most: usize, total: usize, is_it: &dyn Fn(u8) -> bool,
+) -> Vec<Place<'a>> {
+    let count = places(pair, is_it).count();
+    let share = (most * count).div_ceil(total.max(1)).max(LEAST);
+    places(pair, is_it).step_by((count / share).max(1)).collect()
 }

@@ -83,6 +83,7 @@ symbols! {
     H: Vec3 = "h";
     N_DOT_H: f32 = "n·h";
     EXPONENT: f32 = "p";
+    HIGHLIGHT: f32 = "max(0, n·h)^p";
     K_S: f32 = "k_s";
     L_S: Vec3 = "L_s";
 }

@@ -1,10 +1,12 @@
 //! Pictures to be made, row by row or all at once, and how large they are.
 
 use std::fmt;
+use std::ops::Range;
 use std::str::FromStr;
 
 use image::RgbImage;
 
+use crate::Radiance;
 use crate::text;
 use canvas::encode_means;
 use common::Camera;
@@ -176,19 +178,39 @@ impl Frame<'_> {
     ///
     /// When `rgb` reaches below the picture's last row.
     pub fn render_rows(&self, first_row: usize, rgb: &mut [u8]) {
+        let (n, bytes) = (self.samples, 3 * self.size.width());
+        self.rows(first_row..first_row + rgb.len() / bytes, |row, colors| {
+            encode_means(colors, n, &mut rgb[bytes * (row - first_row)..][..bytes]);
+        });
+    }
+
+    /// Has `done` take each of the `rows`: the colours of all rays in it, N rows below each other.
+    fn rows(&self, rows: Range<usize>, mut done: impl FnMut(usize, &[Color])) {
         let (n, width, height) = (self.samples, self.size.width(), self.size.height());
-        let band = self.rows_at_a_time().min(rgb.len() / (3 * width));
+        let band = self.rows_at_a_time().min(rows.len()).max(1);
         let mut colors = vec![Color::ZERO; n * width * n * band];
-        let first_rows = (first_row..).step_by(band.max(1));
-        for (row, rgb) in first_rows.zip(rgb.chunks_mut((3 * width * band).max(1))) {
-            let rows = n * rgb.len() / (3 * width);
-            let colors = &mut colors[..n * width * rows];
-            let mut image = Image::new(n * width, n * height, n * row, colors);
+        for first in rows.clone().step_by(band) {
+            let count = band.min(rows.end - first);
+            let colors = &mut colors[..n * width * n * count];
+            let mut image = Image::new(n * width, n * height, n * first, colors);
             self.step.render(self.camera, &mut image);
-            for (colors, pixels) in colors.chunks(n * n * width).zip(rgb.chunks_mut(3 * width)) {
-                encode_means(colors, n, pixels);
+            for (row, colors) in (first..).zip(colors.chunks(n * n * width)) {
+                done(row, colors);
             }
         }
+    }
+
+    /// The whole picture before it is encoded.
+    pub fn radiance(&self) -> Radiance {
+        let (n, width) = (self.samples, self.size.width());
+        let mut all = Vec::with_capacity(width * self.size.height());
+        self.rows(0..self.size.height(), |_, colors| {
+            all.extend((0..width).map(|col| {
+                let square = (0..n).flat_map(|row| &colors[n * (row * width + col)..][..n]);
+                square.sum::<Color>() / (n * n) as f32
+            }));
+        });
+        Radiance { size: self.size, colors: all }
     }
 
     /// Renders the whole picture, one row after the other.

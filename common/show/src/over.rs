@@ -13,6 +13,7 @@ use crate::Outside;
 use crate::Sight;
 use crate::draw_vectors;
 use crate::handle_at;
+use crate::pointed::draw_chosen;
 
 /// What is to be seen of the desk's pictures: of two the last alone if they have different sizes.
 pub fn compared(desk: &Desk, mut pictures: Vec<RgbImage>) -> RgbImage {
@@ -41,10 +42,13 @@ pub fn draw_marks(desk: &Desk, canvas: &mut Canvas<'_>, area: Area, text_size: f
         let onlooker = onlooker.camera(area.width / area.height);
         let outside = Outside { step, view, onlooker: &*onlooker, area };
         outside.draw(&mut canvas, explanation.as_ref(), &points, text_size);
+        let sight = Sight { step, camera: &*onlooker, area };
+        draw_chosen(desk, &mut canvas, &sight, text_size / 7.0);
     } else if explanation.is_some() || !points.is_empty() {
         let camera = view.camera(desk.picture_size().aspect());
         let sight = Sight { step, camera: &*camera, area };
         draw_vectors(&mut canvas, sight, explanation.as_ref(), &points, text_size);
+        draw_chosen(desk, &mut canvas, &sight, text_size / 7.0);
     }
 }
 

@@ -138,6 +138,11 @@ impl Setup {
         other
     }
 
+    /// The same once more, to be changed otherwise.
+    pub fn copied(&self) -> Self {
+        self.carried_to(self.make.clone())
+    }
+
     /// Makes the step anew, with all changes. Those that it has no control for wait for a step that
     /// has; a value out of its range is left to the other step.
     fn remake(&mut self) {
@@ -152,11 +157,12 @@ impl Setup {
         (self.step, self.view) = (step, view);
     }
 
-    /// Whether there is a way to `other`, which is made alike: only numbers are others.
+    /// Whether there is a way to `other`, which is made alike: something is another, and only numbers are.
     pub(crate) fn is_near(&self, other: &Self) -> bool {
-        let mut pairs = self.controls.iter().zip(&other.controls);
-        self.controls.len() == other.controls.len()
-            && pairs.all(|(from, to)| from.value == to.value || !from.is_whole())
+        let pairs = self.controls.iter().zip(&other.controls);
+        let mut others = pairs.filter(|(from, to)| from.value != to.value).peekable();
+        let same = self.controls.len() == other.controls.len() && others.peek().is_some();
+        same && others.all(|(from, _)| !from.is_whole())
     }
 
     /// As much of the way to `other` as `part` says, 0 to 1.

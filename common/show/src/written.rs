@@ -66,11 +66,6 @@ pub fn texts(value: &Value) -> Vec<String> {
     }
 }
 
-/// A value in few digits, as it stands beside its line of code.
-pub(crate) fn short(value: &Value) -> String {
-    rounded(value).join("  ")
-}
-
 /// A value's numbers with four digits, as they stand on a screen, or its word.
 pub fn rounded(value: &Value) -> Vec<String> {
     with_digits(value, GLANCE)

@@ -2,6 +2,7 @@
 //! this crate's `src`.
 
 mod class;
+mod code;
 mod protocol;
 mod told;
 
@@ -28,6 +29,7 @@ use show::text;
 use show::translated;
 
 pub use crate::class::tours;
+use crate::code::listings;
 use crate::protocol::Ask;
 use crate::protocol::Done;
 use crate::protocol::Group;
@@ -103,6 +105,7 @@ impl Page {
                 json(&state(self.desk_of(of.as_deref())?, spoken))
             }
             Ask::Explain => json(&explained(&self.desk)),
+            Ask::Code => json(&listings(&self.desk)),
             Ask::Command => json(&self.desk.command()),
             Ask::Keys => {
                 let listed = show::keys().into_iter().map(|row| row.listed());
@@ -241,8 +244,10 @@ fn show(
         picture = larger;
     }
     desk.picture_now().draw_over(&mut picture);
-    let mut canvas = Canvas::new(&mut picture);
-    show::draw_marks(desk, &mut canvas, area, text_size.clamp(1.0, area.height.max(1.0)));
+    if !desk.is_gliding() {
+        let mut canvas = Canvas::new(&mut picture);
+        show::draw_marks(desk, &mut canvas, area, text_size.clamp(1.0, area.height.max(1.0)));
+    }
     Ok(rgba(&picture))
 }
 
@@ -257,7 +262,7 @@ fn rgba(picture: &RgbImage) -> Vec<u8> {
 
 fn do_on(desk: &mut Desk, act: Act) -> Result<Done, String> {
     let mut done = Done { known: true, command: act == Act::Command, ..Done::default() };
-    let (mut stands_there, mut glides) = (false, false);
+    let mut stands_there = false;
     for effect in desk.act(act).map_err(|refusal| refusal.to_string())? {
         match effect {
             Effect::Redraw => done.redraw = true,
@@ -265,12 +270,8 @@ fn do_on(desk: &mut Desk, act: Act) -> Result<Done, String> {
             Effect::Save => done.save = true,
             Effect::Say(words) => done.said = Some(words),
             Effect::Print(_) => stands_there = true,
-            // It is there at once.
-            Effect::Glide => glides = true,
+            Effect::Glide => done.glide = true,
         }
-    }
-    if glides {
-        desk.act(Act::Glide(1.0)).map_err(|refusal| refusal.to_string())?;
     }
     // What others print stands on the page, and need not be spoken of.
     done.said = done.said.filter(|_| !stands_there);

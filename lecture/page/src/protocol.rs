@@ -28,6 +28,8 @@ pub(crate) enum Ask {
     State { of: Option<String>, spoken: String },
     /// How the pinned pixel comes by its colour.
     Explain,
+    /// The code of the step, as it runs for the pinned pixel.
+    Code,
     /// The command that gives what is shown now. It takes time, as it looks for the shortest names.
     Command,
     /// All keys.
@@ -73,6 +75,7 @@ pub(crate) enum What {
     Otherwise(String, String),
     Step(usize),
     Listed(usize),
+    Glide(f32),
     DivideAt(f32),
     Language(String),
     Open(String),
@@ -96,6 +99,7 @@ impl What {
             Self::Otherwise(equation, of) => Act::WhatIf(LineName { equation, of }),
             Self::Step(number) => Act::Step(number),
             Self::Listed(place) => Act::Listed(place),
+            Self::Glide(part) => Act::Glide(part),
             Self::DivideAt(part) => Act::DivideAt(part),
             Self::Language(locale) => Act::Speak(Language::of_locale(&locale)),
             Self::Open(address) => Act::Open(address),
@@ -140,6 +144,8 @@ pub(crate) struct Done {
     pub(crate) redraw: bool,
     /// What is beside and over them is another.
     pub(crate) repaint: bool,
+    /// The pictures are to glide to what is shown now.
+    pub(crate) glide: bool,
     /// The picture is to be saved.
     pub(crate) save: bool,
     /// The command is to be handed on.
@@ -246,4 +252,38 @@ pub(crate) struct Explained {
     pub(crate) seen: [u8; 3],
     /// What is told once, then what is told of each of several things of a kind.
     pub(crate) symbols: Vec<Symbols>,
+}
+
+/// A function or a type of the code, or the rest of a file.
+#[derive(Serialize)]
+pub(crate) struct Listing {
+    pub(crate) path: &'static str,
+    pub(crate) rest: bool,
+    pub(crate) lines: Vec<Listed>,
+}
+
+/// A line of code.
+#[derive(Serialize)]
+pub(crate) struct Listed {
+    /// In its file.
+    pub(crate) number: usize,
+    /// Its parts, each with what it is: "" is plain.
+    pub(crate) pieces: Vec<(&'static str, String)>,
+    pub(crate) notes: Vec<Noted>,
+    /// Beside the step before: "", "new" or "gone".
+    pub(crate) change: &'static str,
+    /// It did not run for the pixel.
+    pub(crate) idle: bool,
+}
+
+/// What is told where a line of code runs.
+#[derive(Serialize)]
+pub(crate) struct Noted {
+    pub(crate) math: String,
+    pub(crate) shown: &'static str,
+    pub(crate) symbol: &'static str,
+    pub(crate) value: String,
+    pub(crate) chosen: bool,
+    pub(crate) altered: bool,
+    pub(crate) name: Option<(String, String)>,
 }

@@ -6,13 +6,18 @@ use std::ops::Range;
 use super::source::Item;
 use super::source::LISTENER;
 use super::source::Source;
+use super::token::Kind;
+use super::token::tokens;
 
 /// The call that only tells what the lines after it are about.
 const ABOUT: &str = "about";
 
 /// A line of a source as it is shown.
+#[derive(Clone)]
 pub(super) struct Line {
     pub(super) text: String,
+    /// Its parts: their bytes, and what they are.
+    pub(super) kinds: Vec<(Range<usize>, Kind)>,
     /// The number of the line in the file that it begins with, from 1 on.
     pub(super) number: usize,
     /// The bytes of the file that it is made of, with what of them is cut.
@@ -62,7 +67,22 @@ pub(super) fn folded(source: &Source) -> Vec<Line> {
             None => fold(source, item, &mut cuts),
         }
     }
+    cut_needless_uses(source, &mut cuts);
     lines(source, cuts)
+}
+
+/// Cuts what is brought in from elsewhere for the telling alone.
+fn cut_needless_uses(source: &Source, cuts: &mut Cuts) {
+    let left: Vec<usize> =
+        (0..source.tokens.len()).filter(|place| !cuts.covers(source.start(*place))).collect();
+    for place in left.iter().filter(|place| source.part(**place) == "use") {
+        let end = source.find(*place..source.tokens.len(), &[";"]).unwrap_or(*place);
+        let name = source.part(end - 1);
+        let uses = left.iter().filter(|other| source.part(**other) == name).count();
+        if uses == 1 && name != "*" {
+            cuts.cut(source.start(*place)..source.end(end), "");
+        }
+    }
 }
 
 /// The first word of the type of the function's listener.
@@ -200,7 +220,9 @@ fn lines(source: &Source, Cuts(mut cuts): Cuts) -> Vec<Line> {
         counted = *at;
         let shown: String = letters.iter().map(|(_, letter)| letter).collect();
         let end = letters.last().map_or(text.len(), |(byte, _)| byte + 1);
-        lines.push(Line { text: shown.trim_end().to_owned(), number, at: start..end, first: *at });
+        let text = shown.trim_end().to_owned();
+        let kinds = tokens(&text).into_iter().map(|token| (token.at, token.kind)).collect();
+        lines.push(Line { text, kinds, number, at: start..end, first: *at });
         start = end;
     }
     lines

@@ -1,5 +1,6 @@
 //! What is told of a pixel, of each light and object alike only one's.
 
+use std::collections::HashMap;
 use std::panic::Location;
 
 use super::source::Source;
@@ -15,7 +16,8 @@ use common::Scope;
 /// looked at.
 #[derive(Default)]
 pub(super) struct Heard<'a> {
-    lines: Vec<(&'a Line, Option<LineName>)>,
+    /// By line and column.
+    lines: HashMap<(u32, u32), Vec<(&'a Line, Option<LineName>)>>,
     begun: Vec<&'static Location<'static>>,
     /// The things of which one is looked at, with that one.
     pub(super) alike: Vec<(Vec<&'static str>, &'static str)>,
@@ -38,7 +40,10 @@ impl<'a> Heard<'a> {
         let mut told = Vec::new();
         for part in &scope.parts {
             match part {
-                Part::Line(_) => self.lines.extend(named.next()),
+                Part::Line(line) => {
+                    let at = (line.source.line(), line.source.column());
+                    self.lines.entry(at).or_default().extend(named.next());
+                }
                 Part::Scope(inner) if told.contains(&inner.source) => {}
                 Part::Scope(inner) => {
                     told.push(inner.source);
@@ -58,9 +63,9 @@ impl<'a> Heard<'a> {
     }
 
     /// What is told by the call at `name`.
-    pub(super) fn told(&self, source: &Source, name: usize) -> Vec<&(&'a Line, Option<LineName>)> {
-        let at = source.positions[name];
-        self.lines.iter().filter(|(line, _)| is_at(line.source, source, at)).collect()
+    fn told(&self, source: &Source, name: usize) -> Vec<&(&'a Line, Option<LineName>)> {
+        let told = self.lines.get(&source.positions[name]).into_iter().flatten();
+        told.filter(|(line, _)| is_in(line.source, source)).collect()
     }
 
     /// What of that is to be shown: of a sum the sum alone.
@@ -73,7 +78,9 @@ impl<'a> Heard<'a> {
     /// How many lines the call at `name` has told, or things it has begun.
     pub(super) fn count(&self, source: &Source, name: usize) -> usize {
         let at = source.positions[name];
-        let begun = self.begun.iter().filter(|begun| is_at(begun, source, at)).count();
+        let is_it =
+            |begun: &&&Location<'_>| (begun.line(), begun.column()) == at && is_in(begun, source);
+        let begun = self.begun.iter().filter(is_it).count();
         begun + self.told(source, name).len()
     }
 
@@ -83,9 +90,8 @@ impl<'a> Heard<'a> {
     }
 }
 
-fn is_at(location: &Location<'_>, source: &Source, at: (u32, u32)) -> bool {
-    (location.line(), location.column()) == at
-        && location.file().replace('\\', "/").ends_with(source.path)
+fn is_in(location: &Location<'_>, source: &Source) -> bool {
+    location.file().replace('\\', "/").ends_with(source.path)
 }
 
 /// The one of `alike` that is looked at.

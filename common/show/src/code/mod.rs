@@ -24,7 +24,6 @@ use news::News;
 use ran::Ran;
 use source::Source;
 pub use token::Kind;
-use token::tokens;
 use walk::Id;
 use walk::Sources;
 
@@ -130,6 +129,17 @@ impl Code {
         })
     }
 
+    /// Each file of the step, by its path, as it would be if nothing were told.
+    pub fn plain(&self) -> Vec<(&'static str, String)> {
+        let Parsed { sources, shown } = self.parsed();
+        let of_step = self.files.0.len();
+        let text = |(lines, _): &(Vec<Line>, News)| -> String {
+            lines.iter().map(|line| format!("{}\n", line.text)).collect()
+        };
+        let files = sources.0.iter().zip(&shown[0]).take(of_step);
+        files.map(|(source, lines)| (source.path, text(lines))).collect()
+    }
+
     /// The functions that run for the pixel, or all of them, in the order of the algorithm; then the rest
     /// of each file.
     pub fn parts(&self, sought: &Sought<'_>) -> Vec<Part> {
@@ -220,15 +230,15 @@ fn part(
 
 /// Adds a line, with those before it that are gone.
 fn list(listed: &mut Vec<CodeLine>, place: usize, (lines, news): (&[Line], &News), indent: usize) {
-    let line = |text: &str, number, change| {
-        let text = text.get(indent.min(text.len() - text.trim_start().len())..).unwrap_or(text);
-        let kinds = tokens(text).into_iter().map(|token| (token.at, token.kind)).collect();
-        let text = text.to_owned();
+    let line = |line: &Line, change| {
+        let Line { text, kinds, number, .. } = line;
+        let cut = indent.min(text.len() - text.trim_start().len());
+        let kinds = kinds.iter().map(|(at, kind)| (at.start - cut..at.end - cut, *kind)).collect();
+        let (number, text) = (*number, text[cut..].to_owned());
         CodeLine { number, text, kinds, told: Vec::new(), change, is_idle: false }
     };
-    let Line { text, number, .. } = &lines[place];
     let gone = news.gone.iter().filter(|(at, _)| *at == place);
-    listed.extend(gone.map(|(_, text)| line(text, *number, Change::Gone)));
+    listed.extend(gone.map(|(_, gone)| line(gone, Change::Gone)));
     let change = if news.new[place] { Change::New } else { Change::Same };
-    listed.push(line(text, *number, change));
+    listed.push(line(&lines[place], change));
 }

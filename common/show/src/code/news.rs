@@ -12,7 +12,7 @@ pub(super) struct News {
     /// Whether each line is new.
     pub(super) new: Vec<bool>,
     /// Lines that are gone, each with the place of the line that they stood before.
-    pub(super) gone: Vec<(usize, String)>,
+    pub(super) gone: Vec<(usize, Line)>,
 }
 
 impl News {
@@ -30,7 +30,7 @@ impl News {
             }
             let at = op.new_range();
             let gone = before[op.old_range()].iter().filter(|line| !line.text.is_empty());
-            news.gone.extend(gone.map(|line| (at.start, line.text.clone())));
+            news.gone.extend(gone.map(|line| (at.start, line.clone())));
             at.for_each(|place| news.new[place] = !new[place].is_empty());
         }
         news

@@ -31,7 +31,7 @@ impl Ran<'_> {
         }
         let (source, item) = (self.sources.source(id), self.sources.item(id));
         let sites = source.sites(item.body..item.parts.end);
-        if sites.into_iter().any(|site| self.heard_at(id, site, depth) == Some(true)) {
+        if sites.iter().any(|site| self.heard_at(id, *site, depth) == Some(true)) {
             return Some(true);
         }
         let never = self.never_began(id, item.body + 1..item.parts.end - 1, depth);

@@ -21,6 +21,8 @@ pub(super) struct Source {
     /// Of each part its line and its column, both from 1 on, as the compiler counts them.
     pub(super) positions: Vec<(u32, u32)>,
     pub(super) items: Vec<Item>,
+    /// All places where something is told, or told on.
+    sites: Vec<Site>,
 }
 
 /// A function or a type.
@@ -68,8 +70,10 @@ impl Source {
         // What is never closed ends with the file.
         open.into_iter().for_each(|opened| closed[opened] = tokens.len() - 1);
         let positions = positions(text, &tokens);
-        let mut source = Self { path, text, tokens, closed, positions, items: Vec::new() };
+        let (items, sites) = (Vec::new(), Vec::new());
+        let mut source = Self { path, text, tokens, closed, positions, items, sites };
         source.items = source.items_in(0..source.tokens.len(), ("", ""));
+        source.sites = source.all_sites();
         source
     }
 
@@ -178,14 +182,19 @@ impl Source {
     }
 
     /// Where the listener is told something, or handed on, among `parts`.
-    pub(super) fn sites(&self, parts: Range<usize>) -> Vec<Site> {
+    pub(super) fn sites(&self, parts: Range<usize>) -> &[Site] {
+        let place = |at: usize| self.sites.partition_point(|site| site.name < at);
+        &self.sites[place(parts.start)..place(parts.end)]
+    }
+
+    fn all_sites(&self) -> Vec<Site> {
         let site = |name: usize| {
             let tells = self.part(name.wrapping_sub(1)) == "."
                 && self.part(name.wrapping_sub(2)) == LISTENER;
             let passes = || self.find(name + 2..self.closing(name + 1), &[LISTENER]).is_some();
             (tells || passes()).then_some(Site { name, tells })
         };
-        self.calls(parts).into_iter().filter_map(site).collect()
+        self.calls(0..self.tokens.len()).into_iter().filter_map(site).collect()
     }
 
     /// What is handed to the function called at `name`: the parts of each argument.

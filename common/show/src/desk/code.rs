@@ -9,6 +9,7 @@ use crate::Sought;
 use crate::text;
 use crate::translated;
 use common::Explanation;
+use common::LineName;
 
 impl Desk {
     /// The code of the step as it runs for the pinned pixel, or all of it.
@@ -23,7 +24,7 @@ impl Desk {
 
     fn seek<T>(&self, find: impl FnOnce(&Self, &Sought<'_>) -> T) -> T {
         let explanation = self.explanation();
-        let looked_at = self.looked_at(explanation.as_ref());
+        let looked_at = self.looked_at_in(explanation.as_ref());
         let sought = Sought {
             explanation: explanation.as_ref(),
             looked_at: &looked_at,
@@ -33,9 +34,20 @@ impl Desk {
         find(self, &sought)
     }
 
-    /// The lights and objects that are looked at: that of the chosen line, what was asked for, what is
+    /// The lights and objects that are looked at, the most important one first.
+    pub(crate) fn looked_at(&self) -> Vec<String> {
+        self.looked_at_in(self.explanation().as_ref())
+    }
+
+    /// The lines that are told where the shown code runs, in its order.
+    pub(super) fn lines_of_code(&self) -> Vec<LineName> {
+        let parts = self.code().into_iter().flat_map(|part| part.lines);
+        parts.flat_map(|line| line.told).filter_map(|(_, name)| name).collect()
+    }
+
+    /// That of the chosen line, what was asked for, what is
     /// seen at the pixel, and the light that names without an owner mean.
-    fn looked_at(&self, explanation: Option<&Explanation>) -> Vec<String> {
+    fn looked_at_in(&self, explanation: Option<&Explanation>) -> Vec<String> {
         let line = self.line.as_ref().map(|line| line.of.clone());
         let hit = explanation.and_then(crate::vectors::hit_object);
         let others = self.looked_at.iter().copied().chain(hit).chain(self.setup.chosen("light"));

@@ -21,6 +21,7 @@ impl Desk {
             through && desk.compare == Compare::Off && desk.is_plain()
         };
         let same = self.current == from.current && self.picture == from.picture;
+        let same = same && from.way.at.is_some();
         if same && is_still(self) && is_still(&from) && from.setup.is_near(&self.setup) {
             let now = from.setup.between(&self.setup, 0.0);
             self.glide = Some(Glide { from: from.setup, now });

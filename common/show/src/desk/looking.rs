@@ -5,6 +5,7 @@ use std::mem;
 use super::Act;
 use super::Desk;
 use super::Effect;
+use super::Reading;
 use super::Refusal;
 use super::what_if::WhatIf;
 use crate::Curve;
@@ -312,7 +313,10 @@ impl Desk {
 
     /// Goes so many lines on in what is told of the pinned pixel.
     pub(super) fn walk(&mut self, by: isize) {
-        let lines = self.readable();
+        let lines = match self.reading() {
+            Reading::Code => self.lines_of_code(),
+            _ => self.readable(),
+        };
         let place = lines.iter().position(|line| self.line.as_ref() == Some(line));
         let count = lines.len().max(1) as isize;
         let next = match place {

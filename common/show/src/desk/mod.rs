@@ -310,9 +310,6 @@ impl Desk {
     /// The pictures that are to be shown: one, or, where two are compared, the step before's and
     /// this one's.
     pub fn pictures(&self) -> Vec<Wanted<'_>> {
-        if let Some(glide) = &self.glide {
-            return vec![self.wanted(&glide.now, glide.now.view(), self.current, &self.look)];
-        }
         match self.picture_before() {
             Some(before) if self.holding => vec![before],
             Some(before) if self.compare != Compare::Off => vec![before, self.picture_now()],
@@ -322,7 +319,11 @@ impl Desk {
 
     /// The picture of the step that is shown.
     pub fn picture_now(&self) -> Wanted<'_> {
-        self.wanted(&self.setup, self.seen_from(), self.current, &self.look)
+        let (setup, view) = match &self.glide {
+            Some(glide) => (&glide.now, glide.now.view()),
+            None => (&self.setup, self.seen_from()),
+        };
+        self.wanted(setup, view, self.current, &self.look)
     }
 
     /// That of the step before; none before the first.

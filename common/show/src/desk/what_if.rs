@@ -92,7 +92,11 @@ impl WhatIf {
     /// What is asked of it, as it is read.
     pub(super) fn question(&self) -> String {
         let values = texts(&self.answer.value);
-        let values: Vec<&str> = values.iter().map(|text| text.trim()).collect();
+        let mut values: Vec<&str> = values.iter().map(|text| text.trim()).collect();
+        // Of grey light one number says all.
+        if values.windows(2).all(|two| two[0] == two[1]) {
+            values.truncate(1);
+        }
         format!("{} = {}", self.label(), values.join(", "))
     }
 

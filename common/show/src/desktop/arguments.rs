@@ -13,10 +13,9 @@ use clap::builder::TypedValueParser;
 use clap::error::ContextKind;
 use clap::error::ContextValue;
 use clap::error::ErrorKind;
-use clap::value_parser;
-use image::ImageFormat;
 use strsim::damerau_levenshtein;
 
+use super::file;
 use super::suite::Suite;
 use super::window::Place;
 use crate::Frame;
@@ -48,19 +47,18 @@ pub(super) fn command(suite: &Suite) -> Command {
             _ => Err(text!("a pixel is X,Y with whole numbers from 0, such as 480,270")),
         }
     };
-    let png = PathBufValueParser::new().try_map(|path| match ImageFormat::from_path(&path) {
-        Ok(format) if format != ImageFormat::Png => {
-            let path = path.with_extension("png");
-            Err(text!("the picture is a PNG, so name it {path}", path = path.display()))
-        }
-        _ => Ok(path),
-    });
+    let png = PathBufValueParser::new().try_map(file::picture_name);
     let last = suite.programs.len();
     let step = move |text: &str| match text.parse::<usize>() {
         Ok(step) if (1..=last).contains(&step) => Ok(step),
         _ => Err(text!("it takes a whole number from 1 to {most}", most = last)),
     };
     let window = |text: &str| text.parse::<Place>();
+    // How many stops there are is known when they are read.
+    let stop = |text: &str| match text.parse::<usize>() {
+        Ok(stop @ 1..) => Ok(stop),
+        _ => Err(text!("it takes a whole number from 1 on")),
+    };
     let part = |text: &str| match text.parse::<f32>() {
         Ok(part) if (0.0..=1.0).contains(&part) => Ok(part),
         _ => {
@@ -76,11 +74,7 @@ pub(super) fn command(suite: &Suite) -> Command {
     if last > 1 {
         command = command
             .arg(option("step", "N").value_parser(step))
-            .arg(
-                option("stop", "N")
-                    .value_parser(value_parser!(u16).range(1..))
-                    .conflicts_with("step"),
-            )
+            .arg(option("stop", "N").value_parser(stop).conflicts_with("step"))
             .arg(file("tour").value_parser(PathBufValueParser::new()))
             .arg(Arg::new("check-tour").long("check-tour").action(ArgAction::SetTrue))
             .arg(Arg::new("still").long("still").action(ArgAction::SetTrue))
@@ -106,6 +100,10 @@ pub(super) fn command(suite: &Suite) -> Command {
             .arg(watch.conflicts_with_all(["output", "compare", "pixel", "check"]))
             .arg(option("open", "ADDRESS"))
             .arg(option("window", "WxH+X+Y").value_parser(window));
+    }
+    if suite.programs.iter().any(|program| !program.code.is_empty()) {
+        let code = Arg::new("code").long("code").action(ArgAction::SetTrue);
+        command = command.arg(code.requires("pixel"));
     }
     if suite.page.is_some() {
         let page = file("page").value_parser(PathBufValueParser::new());

@@ -22,6 +22,7 @@ use super::exercises::Verdict;
 use super::file;
 use super::help::help;
 use super::job::Job;
+use super::printed;
 use super::remembered::Remembered;
 use super::said::print;
 use super::said::report;
@@ -67,7 +68,7 @@ fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
         }
         Err(error) => return usage(&refusal(&error)),
     };
-    let (begins, stop) = (tours::begins(suite, &matches), given::<u16>(&matches, "stop"));
+    let (begins, stop) = (tours::begins(suite, &matches), given::<usize>(&matches, "stop"));
     let page = given::<PathBuf>(&matches, "page").zip(suite.page);
     let checks = given::<bool>(&matches, "check-tour") == Some(true);
     let mut all = Vec::new();
@@ -88,7 +89,7 @@ fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
     let current = given::<usize>(&matches, "step").map_or(0, |step| step - 1);
     let program = &suite.programs[current];
     let mut desk = suite.desk(current).touring(all);
-    if let Some(Err(refusal)) = stop.map(|stop| desk.act(Act::Stop(stop.into()))) {
+    if let Some(Err(refusal)) = stop.map(|stop| desk.act(Act::Stop(stop))) {
         return usage(&refusal.to_string());
     }
     if let Err(error) = check_loop(desk.setup().step()) {
@@ -105,7 +106,10 @@ fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
         Err(message) => return usage(&message),
     };
     if let Some(explanation) = printed {
-        let printed = print(&explanation);
+        let printed = match given::<bool>(&matches, "code") {
+            Some(true) => print(&printed::code(&desk, printed::is_coloured())),
+            _ => print(&explanation),
+        };
         if output.is_none() || printed.is_err() {
             return status(printed.map(|()| true));
         }
@@ -213,7 +217,7 @@ pub(super) fn arrange(desk: &mut Desk, matches: &ArgMatches) -> Result<Option<St
     acts.extend(what_ifs.cloned().map(Act::Answer));
     let compares = acts.iter().any(|act| matches!(act, Act::DivideAt(_) | Act::Difference));
     if compares && desk.step() == 1 {
-        let last = desk.programs().len();
+        let last = desk.steps();
         return Err(text!("there is no step before step 1: compare --step 2 to {last}", last));
     }
     if let Some((col, row)) = matches.get_one::<(usize, usize)>("pixel") {

@@ -3,14 +3,21 @@
 use anyhow::Result;
 use image::RgbImage;
 
-use crate::Frame;
 use crate::Program;
+use crate::Setup;
 
 /// Those who know the exercises, and what goes wrong in them.
 pub trait Exercises {
-    /// What may be wrong, a sentence a line, where `expected` is the picture of `frame` and `found`
-    /// was found in place of it, of the same size; nothing when that is not known.
-    fn suspect(&self, frame: &Frame<'_>, expected: &RgbImage, found: &RgbImage) -> String;
+    /// What may be wrong, a sentence a line, where `expected` is the picture of `setup`, with the square
+    /// of `samples` rays a pixel, and `found` was found in place of it, of the same size; nothing when
+    /// that is not known.
+    ///
+    /// # Errors
+    ///
+    /// When there is no picture of this size.
+    fn suspect(
+        &self, setup: &Setup, samples: usize, expected: &RgbImage, found: &RgbImage,
+    ) -> Result<String>;
 
     /// Whether the program of step `name` is `program`, or of `program` itself whether its pixel loop
     /// is right.

@@ -62,13 +62,13 @@ pub(crate) fn check_destination(path: &Path) -> Result<()> {
     }
 }
 
-/// Writes `picture` as a PNG under the name `path`, in one stroke: until all of it is written the
-/// file that had the name keeps it, and on an error nothing is left behind.
+/// Writes `bytes` under the name `path`, in one stroke: until all of it is written the file that had
+/// the name keeps it, and on an error nothing is left behind.
 ///
 /// # Errors
 ///
 /// When `path` fails [`check_destination`], or its folder is read-only, or the disk is full.
-pub(crate) fn save_png(picture: &RgbImage, path: &Path) -> Result<()> {
+pub(crate) fn save(bytes: &[u8], path: &Path) -> Result<()> {
     check_destination(path)?;
     let write = || {
         let old = match fs::metadata(path) {
@@ -77,10 +77,10 @@ pub(crate) fn save_png(picture: &RgbImage, path: &Path) -> Result<()> {
         };
         // A device or a pipe cannot be replaced, and has no content to lose.
         if old.as_ref().is_some_and(|old| !old.is_file()) {
-            return File::options().write(true).open(path)?.write_all(&encoded(picture)?);
+            return File::options().write(true).open(path)?.write_all(bytes);
         }
         let path = behind_links(path);
-        let part = written(picture, &path)?;
+        let part = written(bytes, &path)?;
         if let Some(old) = old {
             part.as_file().set_permissions(old.permissions())?;
         }
@@ -88,6 +88,27 @@ pub(crate) fn save_png(picture: &RgbImage, path: &Path) -> Result<()> {
         Ok(())
     };
     write().map_err(|error| unwritable(path, &error))
+}
+
+/// Writes `picture` as a PNG, as [`save`] does.
+pub(crate) fn save_png(picture: &RgbImage, path: &Path) -> Result<()> {
+    save(&png(picture)?, path)
+}
+
+/// What a picture may be called: a PNG unless it is one of the numbers before they are encoded.
+pub(super) fn picture_name(path: PathBuf) -> Result<PathBuf, String> {
+    match path.extension() {
+        Some(end) if !end.eq_ignore_ascii_case("png") && !is_pfm(&path) => {
+            let path = path.with_extension("png");
+            Err(text!("the picture is a PNG, so name it {path}", path = path.display()))
+        }
+        _ => Ok(path),
+    }
+}
+
+/// Whether what has this name is a portable float map.
+pub(super) fn is_pfm(path: &Path) -> bool {
+    path.extension().is_some_and(|end| end.eq_ignore_ascii_case("pfm"))
 }
 
 /// Where links lead, even if there is no file yet, so that it is written and the links stay.
@@ -114,7 +135,7 @@ fn unwritable(path: &Path, error: &io::Error) -> anyhow::Error {
 /// When the folder is read-only or the disk is full.
 pub(crate) fn save_new_png(picture: &RgbImage, stem: &str) -> Result<PathBuf> {
     let mut path = PathBuf::from(format!("{stem}-1.png"));
-    let mut part = written(picture, &path).map_err(|error| unwritable(&path, &error))?;
+    let mut part = written(&png(picture)?, &path).map_err(|error| unwritable(&path, &error))?;
     for number in 2.. {
         match part.persist_noclobber(&path) {
             Ok(_) => break,
@@ -128,21 +149,20 @@ pub(crate) fn save_new_png(picture: &RgbImage, stem: &str) -> Result<PathBuf> {
     Ok(path)
 }
 
-/// All of `picture` in a file beside `path`, which is removed unless it is given a name.
-fn written(picture: &RgbImage, path: &Path) -> io::Result<NamedTempFile> {
-    // Before there is a file: a program that is killed has hardly the time to leave one behind.
-    let bytes = encoded(picture)?;
+/// All of `bytes` in a file beside `path`, which is removed unless it is given a name.
+fn written(bytes: &[u8], path: &Path) -> io::Result<NamedTempFile> {
     let folder = path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
     // Not only for its owner to read, as temporary files are.
     let mut part = Builder::new().make_in(folder, |part| File::create_new(part))?;
-    part.write_all(&bytes)?;
+    part.write_all(bytes)?;
     Ok(part)
 }
 
-fn encoded(picture: &RgbImage) -> io::Result<Vec<u8>> {
+/// All of it at once, before there is a file: a program that is killed has hardly the time to leave one
+/// behind.
+pub(super) fn png(picture: &RgbImage) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    let encoder = PngEncoder::new(&mut bytes);
-    picture.write_with_encoder(encoder).map_err(io::Error::other)?;
+    picture.write_with_encoder(PngEncoder::new(&mut bytes))?;
     Ok(bytes)
 }
 

@@ -48,6 +48,13 @@ pub(super) fn help(suite: &Suite) -> String {
       --window WxH+X+Y    the window's size, and its place on the screen"
         ),
     };
+    let code = match programs.iter().any(|program| !program.code.is_empty()) {
+        true => text!(
+            "
+      --code              with --pixel, the code that ran for it, each line with its numbers"
+        ),
+        false => "",
+    };
     let mut text = text!(
         "{name}: {concept}
 
@@ -62,7 +69,7 @@ Options:
       --set NAME=VALUE    set a control, as its slider would; repeatable, applied in order
       --samples N         N×N rays a pixel (1; at most {most})
       --pixel X,Y         print that pixel's equations with their numbers; with -o, write the
-                          picture with its rays and vectors, and the equations beside it
+                          picture with its rays and vectors, and the equations beside it{code}
       --outside           with -o, write the camera as it is seen from outside; --set also takes
                           outside.azimuth, outside.elevation and outside.distance
       --show LINE         the picture of a told line at every pixel: 'n·l', 'key: n·l'; one that
@@ -84,6 +91,7 @@ Controls (default):
         cameras = View::PROJECTIONS.join(" | "),
         most = Frame::MAX_SAMPLES,
         check,
+        code,
         lecture
     );
     let mut listed: Vec<String> = Vec::new();

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 use std::path::PathBuf;
+use std::time::Duration;
+use std::time::Instant;
 
 use anyhow::Context;
 use anyhow::Result;
@@ -33,8 +35,14 @@ impl Job<'_> {
     pub(super) fn write(&self, path: &Path) -> Result<()> {
         let (name, size) = (self.name, self.session.desk().picture_size());
         file::check_destination(path)?;
-        let (picture, time) = self.render();
-        file::save_png(&picture, path)?;
+        let (bytes, time) = match file::is_pfm(path) {
+            true => self.radiance(),
+            false => {
+                let (picture, time) = self.render();
+                (file::png(&picture)?, time)
+            }
+        };
+        file::save(&bytes, path)?;
         report(
             name,
             &text!(
@@ -72,11 +80,9 @@ impl Job<'_> {
             text += &text!("expected is {mapping}; black where it is not told\n", mapping);
         }
         if matches!(comparison, Comparison::Different(_)) && desk.is_plain() {
-            let setup = self.session.desk().setup();
-            let camera = setup.view().camera(size.aspect());
-            let frame = Frame { step: setup.step(), camera: &*camera, size, samples };
-            let suspect = |known: &dyn Exercises| known.suspect(&frame, &expected, &found);
-            text += &self.exercises.map(suspect).unwrap_or_default();
+            let suspect =
+                |known: &dyn Exercises| known.suspect(desk.setup(), samples, &expected, &found);
+            text += &self.exercises.map_or(Ok(String::new()), suspect)?;
         }
         print(&text)?;
         let file = file.display();
@@ -88,6 +94,17 @@ impl Job<'_> {
         }
         report(name, &done);
         Ok(comparison.is_equal())
+    }
+
+    /// The picture before it is encoded, alone, as a PFM, and how many milliseconds it took.
+    fn radiance(&self) -> (Vec<u8>, String) {
+        let (start, desk) = (Instant::now(), self.session.desk());
+        let (size, samples) = (desk.picture_size(), desk.samples());
+        let pictures = desk.pictures();
+        let bytes = pictures.last().map(|wanted| {
+            Frame { step: wanted.step(), camera: &*wanted.camera, size, samples }.radiance().pfm()
+        });
+        (bytes.unwrap_or_default(), milliseconds(start.elapsed()))
     }
 
     /// The picture, and how many milliseconds its pixels took.
@@ -104,7 +121,11 @@ impl Job<'_> {
             picture
         };
         let pictures = wanted.iter().map(render).collect();
-        let milliseconds = progress.finish().as_secs_f64() * 1e3;
-        (self.session.written(pictures), format!("{milliseconds:.1}"))
+        let time = milliseconds(progress.finish());
+        (self.session.written(pictures), time)
     }
+}
+
+fn milliseconds(time: Duration) -> String {
+    format!("{:.1}", time.as_secs_f64() * 1e3)
 }

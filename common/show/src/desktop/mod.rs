@@ -10,6 +10,7 @@ mod input;
 mod job;
 mod key;
 mod panicked;
+mod printed;
 mod progress;
 mod remembered;
 mod said;

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use clap::error::ErrorKind;
 use pulldown_cmark::Event;
 use pulldown_cmark::HeadingLevel;
 use pulldown_cmark::Parser;
@@ -97,7 +98,12 @@ impl Suite {
         let output = if has_output { [].as_slice() } else { &["-o", "stop.png"] };
         let matches = command(alone.as_ref().unwrap_or(self))
             .try_get_matches_from(flags.iter().chain(output))
-            .map_err(|error| refusal(&error))?;
+            .map_err(|error| match error.kind() {
+                ErrorKind::DisplayHelp => {
+                    text!("a stop's command cannot have --{flag}", flag = "help")
+                }
+                _ => refusal(&error),
+            })?;
         let given = |flag: &&&str| {
             let flags = matches.ids().filter(|id| id.as_str() == **flag);
             flags.into_iter().any(|id| {

@@ -72,7 +72,9 @@ pub(super) fn begin(desk: &mut Desk, remembered: &Remembered) -> Option<String> 
 }
 
 /// What a desk shows, written as a file is.
-pub fn picture_shown(desk: Desk) -> RgbImage {
+pub fn picture_shown(mut desk: Desk) -> RgbImage {
+    // Nothing is on its way: that cannot be refused.
+    let _ = desk.act(Act::Glide(1.0));
     let (size, samples) = (desk.picture_size(), desk.samples());
     let render = |wanted: &Wanted<'_>| {
         let frame = Frame { step: wanted.step(), camera: &*wanted.camera, size, samples };

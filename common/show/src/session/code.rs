@@ -27,6 +27,12 @@ const KEYWORD: Ink = Ink::new(150, 184, 240);
 /// What did not run.
 const IDLE: Ink = Ink::new(96, 104, 120);
 
+/// Where the letters of a line stand, in ems from its top.
+const BASELINE: f32 = 0.93;
+
+/// Between an equation and its numbers, in ems.
+const GAP: f32 = 0.6;
+
 /// So many letters a line that goes on is indented by, and a line's number takes.
 const HANGING: usize = 4;
 const NUMBER: usize = 5;
@@ -54,12 +60,14 @@ pub(super) struct Note {
 /// A row on the screen: how far it is indented, in letters, and which bytes stand there.
 type Piece = (usize, Range<usize>);
 
-/// Where something stands at the right: below the code, or beside its last piece.
+/// Where all of it stands: what is noted at the right, beside the last piece of code or below it.
 struct Placed {
     pieces: Vec<Piece>,
-    /// The row of each note.
-    notes: Vec<usize>,
-    rows: usize,
+    /// Of the file, and of each note, its row, its equation, and how wide both are with the numbers.
+    notes: Vec<(usize, Option<Boxed>, f32)>,
+    /// Of each row where its letters stand, below the top.
+    baselines: Vec<f32>,
+    height: f32,
 }
 
 impl CodeRow {
@@ -82,7 +90,7 @@ impl CodeRow {
     }
 
     pub(super) fn height(&self, em: f32, width: f32) -> f32 {
-        LINE * em * self.placed(em, width).rows as f32
+        self.placed(em, width).height
     }
 
     /// How wide the number before the code is.
@@ -98,53 +106,76 @@ impl CodeRow {
             let text = &self.line.text[bytes.clone()];
             *indent as f32 * letter + CodeFont::width(em, text)
         });
-        let widths = self.noted(em);
         let mut notes = Vec::new();
         // The row on which there is room from the right, and how much.
         let (mut row, mut room) = (pieces.len() - 1, code - last - letter);
-        for note in widths {
-            if note > room {
+        for (equation, width) in self.noted(em) {
+            if width > room {
                 (row, room) = (row + 1, code);
             }
-            notes.push(row);
-            room -= note + letter;
+            notes.push((row, equation, width));
+            room -= width + letter;
         }
-        let rows = (row + 1).max(pieces.len());
-        Placed { pieces, notes, rows }
+        let (mut baselines, mut height) = (Vec::new(), 0.0);
+        for row in 0..pieces.len().max(row + 1) {
+            let equations = || {
+                let its = notes.iter().filter(|(on, ..)| *on == row);
+                its.filter_map(|(_, equation, _)| equation.as_ref())
+            };
+            let above = equations().fold(BASELINE * em, |most, set| most.max(set.above));
+            let below = equations().fold((LINE - BASELINE) * em, |most, set| most.max(set.below));
+            baselines.push(height + above);
+            height += above + below;
+        }
+        Placed { pieces, notes, baselines, height }
     }
 
-    /// How wide each note is, that of the file first.
-    fn noted(&self, em: f32) -> Vec<f32> {
-        let file = self.file.map(|file| Font::width(em, file));
-        let notes = self.notes.iter().map(|note| note.width(em));
+    /// The equation of each note, and how wide it is; the file first, if it is noted.
+    fn noted(&self, em: f32) -> Vec<(Option<Boxed>, f32)> {
+        let file = self.file.map(|file| (None, Font::width(em, file)));
+        let notes = self.notes.iter().map(|note| {
+            let equation = Boxed::inline(&note.equation, em);
+            let width = equation.width + GAP * em + Font::width(em, &note.value);
+            (Some(equation), width)
+        });
         file.into_iter().chain(notes).collect()
     }
 
     pub(super) fn draw(&self, canvas: &mut Canvas<'_>, area: Area, em: f32) {
-        let Placed { pieces, notes, .. } = self.placed(em, area.width);
+        let Placed { pieces, notes, baselines, .. } = self.placed(em, area.width);
         let letter = CodeFont::width(em, "0");
         let left = area.left + self.gutter(em);
-        let top = |row: usize| area.top + LINE * em * row as f32;
+        let baseline = |row: usize| area.top + baselines[row];
         if self.numbered && self.line.change != Change::Gone {
             let number = format!("{:>4}", self.line.number);
-            canvas.code((area.left, area.top), em, FAINT, &number);
+            canvas.code((area.left, baseline(0) - BASELINE * em), em, FAINT, &number);
         }
         for (row, (indent, bytes)) in pieces.iter().enumerate() {
-            let at = (left + *indent as f32 * letter, top(row));
+            let at = (left + *indent as f32 * letter, baseline(row) - BASELINE * em);
             self.draw_piece(canvas, at, em, bytes.clone());
         }
         // The last one of a row ends at the right.
         let (mut row, mut right) = (usize::MAX, area.right());
-        let placed = notes.into_iter().zip(self.noted(em)).enumerate();
-        for (place, (on, width)) in placed.collect::<Vec<_>>().into_iter().rev() {
+        let mut values = self.notes.iter().rev();
+        for (on, equation, width) in notes.into_iter().rev() {
             if on != row {
                 (row, right) = (on, area.right());
             }
-            let at = (right, top(row));
+            let at = (right, baseline(row));
             right -= width + letter;
-            match (self.file, place.checked_sub(usize::from(self.file.is_some()))) {
-                (_, Some(note)) => self.notes[note].draw(canvas, at, em, self.line.is_idle),
-                (Some(file), None) => canvas.text(at, Anchor::TopRight, em, ACCENT, file),
+            match (equation, self.file) {
+                (Some(equation), _) => {
+                    if let Some(note) = values.next() {
+                        let left = (at.0 - width, at.1);
+                        let ink = if self.line.is_idle { IDLE } else { FAINT };
+                        equation.draw(canvas, left, ink, self.line.is_idle);
+                        note.draw(canvas, at, em, self.line.is_idle);
+                    }
+                }
+                (None, Some(file)) => {
+                    let at = (at.0, at.1 - BASELINE * em);
+                    canvas.text(at, Anchor::TopRight, em, ACCENT, file);
+                }
                 (None, None) => {}
             }
         }
@@ -180,27 +211,14 @@ impl CodeRow {
 }
 
 impl Note {
-    /// On one line of text, whatever fractions it has.
-    fn set(&self, em: f32) -> Boxed {
-        let set = Boxed::inline(&self.equation, em);
-        let part = LINE * em / set.height();
-        if part >= 1.0 { set } else { Boxed::inline(&self.equation, part * em) }
-    }
-
-    fn width(&self, em: f32) -> f32 {
-        self.set(em).width + 0.6 * em + Font::width(em, &self.value)
-    }
-
+    /// Draws the numbers, so that they end at `at`.
     fn draw(&self, canvas: &mut Canvas<'_>, at: (f32, f32), em: f32, is_idle: bool) {
-        let number = match (self.altered, is_idle) {
+        let ink = match (self.altered, is_idle) {
             (true, _) => ALTERED,
             (false, true) => IDLE,
             (false, false) => TEXT,
         };
-        canvas.text(at, Anchor::TopRight, em, number, &self.value);
-        let set = self.set(em);
-        let left = at.0 - 0.6 * em - Font::width(em, &self.value) - set.width;
-        set.draw(canvas, (left, at.1 + 0.93 * em), number, is_idle);
+        canvas.text((at.0, at.1 - BASELINE * em), Anchor::TopRight, em, ink, &self.value);
     }
 }
 

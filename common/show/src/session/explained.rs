@@ -200,7 +200,9 @@ impl Told<'_> {
             ink: is_shown.then_some(ACCENT),
             values: rounded(&line.value),
             new: self.is_new(section, line),
-            altered: name.as_ref().is_some_and(|name| is_altered(self.what_ifs, name)),
+            altered: name
+                .as_ref()
+                .is_some_and(|name| self.what_ifs.iter().any(|what_if| what_if.alters(name))),
             name,
         }
     }
@@ -241,11 +243,4 @@ fn counted<'a>(names: impl Iterator<Item = &'a str>) -> String {
         count => format!("{count} × {}", same[0]),
     };
     names.chunk_by(|one, other| one == other).map(count).collect::<Vec<_>>().join(", ")
-}
-
-/// Whether the line is answered otherwise.
-pub(super) fn is_altered(what_ifs: &[WhatIf], line: &LineName) -> bool {
-    what_ifs.iter().any(|WhatIf { answer, .. }| {
-        answer.line.equation == line.equation && ["", &line.of].contains(&answer.line.of.as_str())
-    })
 }

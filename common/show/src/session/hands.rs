@@ -10,6 +10,7 @@ use crate::Compare;
 use crate::Effect;
 use crate::Handle;
 use crate::over::point_at;
+use crate::pointed::line_at;
 use common::View;
 
 /// What the mouse button took hold of.
@@ -99,10 +100,21 @@ impl Session {
         Held::Picture { at, azimuth, elevation, click: true }
     }
 
-    /// The line under the pointer is the one that keys act on.
+    /// The line under the pointer, beside the picture or in it, is the one that keys act on.
     pub(super) fn choose(&mut self) {
+        if !matches!(self.held, Held::Nothing) {
+            return;
+        }
+        let Layout { picture, em, .. } = self.layout();
+        if picture.contains(self.pointer) {
+            let line = line_at(&self.desk, picture, self.pointer, 0.5 * em.max(8.0));
+            if let Some(line) = line.filter(|line| self.desk.line() != Some(line)) {
+                self.do_act(Act::Choose(line));
+            }
+            return;
+        }
         let target = self.reading_panel().and_then(|panel| panel.target(self.pointer));
-        if let (Held::Nothing, Some((Target::Line(line), _))) = (&self.held, target)
+        if let Some((Target::Line(line), _)) = target
             && self.desk.line() != Some(&line)
         {
             self.act(Act::Choose(line));

@@ -15,7 +15,7 @@ const LEAST_TEXT: f32 = 5.0;
 const COLUMN: f32 = 18.0;
 
 /// How high a stop's text is with what stands over it, in ems: three lines.
-const STOP: f32 = 5.6;
+const STOP: f32 = 5.8;
 /// How much of the width code takes.
 const CODE_COLUMN: f32 = 0.58;
 
@@ -133,7 +133,9 @@ impl Layout {
             true => (CODE_COLUMN * width).floor(),
             false => (COLUMN * em).min(0.5 * width).floor(),
         };
-        let most = (height - 3.5 * row - under).max(0.3 * height);
+        // At a stop that says what happens, below all of it.
+        let rows = if stop.is_some() { 1.7 } else { 3.5 };
+        let most = (height - rows * row - under).max(0.3 * height);
         let outer = Area::new(0.0, 0.0, width - column, most);
         let picture = fit(outer, aspect);
         let column = Area::new(outer.width, 0.0, column, height);

@@ -230,7 +230,7 @@ impl Session {
     }
 
     /// Does something on the desk, with what follows from it here.
-    fn do_act(&mut self, act: Act) {
+    pub(super) fn do_act(&mut self, act: Act) {
         let (shown, reading) = (self.shown(), self.desk.reading());
         let what_ifs = self.desk.what_ifs().len();
         self.act(act);

@@ -72,18 +72,19 @@ impl Session {
                 if let Some(panel) = self.controls() {
                     panel.draw(&mut canvas, self.selected.as_ref());
                 }
-                let said = [altered.as_deref(), said.as_deref()];
+                let here = said.as_deref().filter(|_| layout.stop.is_none());
+                let said = [altered.as_deref(), here];
                 self.paint_caption(&mut canvas, &layout, beside.caption, said, status);
             }
             None => {
-                let said: Vec<String> = altered.into_iter().chain(said.clone()).collect();
+                let said: Vec<String> = altered.clone().into_iter().chain(said.clone()).collect();
                 if !said.is_empty() && layout.stop.is_none() {
                     paint_over(&mut canvas, layout.em, &said.join("   "), TEXT);
                 }
             }
         }
         if let Some(area) = layout.stop {
-            let said = said.filter(|_| layout.beside.is_none());
+            let said = said.or(altered.filter(|_| layout.beside.is_none()));
             self.paint_stop(&mut canvas, area, layout.em, said.as_deref());
         }
         if let Some(notice) = &self.notice {
@@ -146,7 +147,8 @@ impl Session {
         let headline = if slides.is_empty() { concept } else { slides };
         if area.height < 5.0 * row {
             let made = format!("{name}   {status}");
-            let (text, ink) = said.map_or((&*made, FAINT), |said| (said, TEXT));
+            let made = if area.height < 2.0 * row { "" } else { &*made };
+            let (text, ink) = said.map_or((made, FAINT), |said| (said, TEXT));
             let lines = Font::wrap(em, text, area.width).len();
             let height = row * lines as f32;
             let below = Area { top: area.top + row, height, ..area };

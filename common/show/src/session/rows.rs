@@ -4,7 +4,6 @@ use super::Session;
 use super::code::CodeRow;
 use super::code::Note;
 use super::explained::Told;
-use super::explained::is_altered;
 use super::layout::Layout;
 use super::layout::split;
 use super::panel::Panel;
@@ -26,7 +25,7 @@ use crate::code::file_name;
 use crate::desk::table;
 use crate::latex;
 use crate::plain;
-use crate::short;
+use crate::rounded;
 use crate::text;
 use crate::translated;
 use crate::typeset;
@@ -198,8 +197,8 @@ impl Session {
     fn code_row(&self, line: CodeLine, file: Option<&'static str>) -> Row {
         let note = |(line, name): &(Line, Option<LineName>)| Note {
             equation: typeset(line),
-            value: short(&line.value),
-            altered: name.as_ref().is_some_and(|name| is_altered(self.desk.what_ifs(), name)),
+            value: rounded(&line.value).join("  "),
+            altered: name.as_ref().is_some_and(|name| self.desk.is_altered(name)),
             name: name.clone(),
         };
         let notes = line.told.iter().map(note).collect();

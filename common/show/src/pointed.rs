@@ -1,0 +1,95 @@
+//! The chosen line where it is in the picture, and the line that is pointed at there.
+
+use crate::Area;
+use crate::Canvas;
+use crate::Desk;
+use crate::Ink;
+use crate::Sight;
+use crate::sight::distance;
+use crate::vectors::unit;
+use common::Explanation;
+use common::LineName;
+use common::Place;
+use common::Scope;
+use common::Vec3;
+
+/// What lies over the chosen line's arrow, ray, point or area.
+const CHOSEN: Ink = Ink::new(255, 208, 64).with_alpha(130);
+
+/// From where to where something goes in the picture.
+type Stroke = ((f32, f32), (f32, f32));
+
+/// What is seen in the picture, each thing with the line that tells it.
+struct Seen {
+    line: LineName,
+    strokes: Vec<Stroke>,
+}
+
+/// Marks the chosen line in the picture, whose lines are `width` wide.
+pub(crate) fn draw_chosen(desk: &Desk, canvas: &mut Canvas<'_>, sight: &Sight<'_>, width: f32) {
+    let Some((chosen, explanation)) =
+        desk.line().zip(desk.explanation().filter(|_| desk.vectors()))
+    else {
+        return;
+    };
+    for Seen { line, strokes } in seen(sight, &explanation) {
+        if line == *chosen {
+            for (from, to) in strokes {
+                let width = if from == to { 6.0 * width } else { 3.5 * width };
+                canvas.line(from, to, width, CHOSEN);
+            }
+        }
+    }
+}
+
+/// The line that is pointed at in the picture in `area`, if it is not farther than `reach`; of several in
+/// the same place the one that is looked at.
+pub(crate) fn line_at(desk: &Desk, area: Area, at: (f32, f32), reach: f32) -> Option<LineName> {
+    let explanation = desk.explanation().filter(|_| desk.vectors())?;
+    let camera = desk.seen_from().camera(desk.picture_size().aspect());
+    let sight = Sight { step: desk.setup().step(), camera: &*camera, area };
+    let looked_at = desk.looked_at();
+    let far = |seen: &Seen| {
+        let strokes = seen.strokes.iter().map(|stroke| beside(*stroke, at));
+        let far = strokes.fold(f32::INFINITY, f32::min);
+        (far <= reach).then_some((far.round() as i32, !looked_at.contains(&seen.line.of)))
+    };
+    let near = seen(&sight, &explanation).into_iter();
+    let near = near.filter_map(|seen| Some((far(&seen)?, seen.line)));
+    near.min_by_key(|(far, _)| *far).map(|(_, line)| line)
+}
+
+/// How far a place is from a stroke.
+fn beside((from, to): Stroke, at: (f32, f32)) -> f32 {
+    let (x, y) = (to.0 - from.0, to.1 - from.1);
+    let length = (x * x + y * y).max(1e-6);
+    let along = ((at.0 - from.0) * x + (at.1 - from.1) * y) / length;
+    let along = along.clamp(0.0, 1.0);
+    distance((from.0 + along * x, from.1 + along * y), at)
+}
+
+fn seen(sight: &Sight<'_>, explanation: &Explanation) -> Vec<Seen> {
+    let unit = unit(sight, explanation);
+    let stroke = |(from, to): (Vec3, Vec3)| {
+        let (from, to) = sight.in_front(from, to)?;
+        sight.at(from).zip(sight.at(to))
+    };
+    let mut seen = Vec::new();
+    for scope in explanation.told.all().into_iter().filter(|scope| Scope::is_open(scope)) {
+        for line in scope.lines() {
+            let ends = match line.place {
+                Some(Place::Point(point)) => vec![(point, point)],
+                Some(Place::Along(ray, t)) => vec![(ray.at(t), ray.at(t))],
+                Some(Place::Arrow(from, direction)) => vec![(from, from + unit * direction)],
+                Some(Place::Area([a, b, c])) => vec![(a, b), (b, c), (c, a)],
+                Some(Place::ShadowRay(ray, t)) => vec![(ray.origin, ray.at(t))],
+                // It is seen end on, where the pixel is pinned.
+                Some(Place::ViewingRay(_)) | None => continue,
+            };
+            let strokes: Vec<Stroke> = ends.into_iter().filter_map(stroke).collect();
+            let line = LineName { equation: line.equation.to_owned(), of: scope.name.to_owned() };
+            seen.push(Seen { line, strokes });
+        }
+    }
+    seen
+}
