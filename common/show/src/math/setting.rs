@@ -153,7 +153,7 @@ impl<'a> Style<'a> {
             let width = own.max(if lines.is_empty() { 0.0 } else { widest + 0.3 * self.size });
             let left = set.width + (width - own) / 2.0;
             if !lines.is_empty() {
-                let one = count == 1 && !matches!(parts[place], Math::Fraction(..) | Math::Root(_));
+                let one = count == 1 && !matches!(parts[place], Math::Fraction(..));
                 let ink = ink(&Math::Row(parts[place..place + count].to_vec()).key());
                 hanging.push((left, own, widest, lines, one, ink));
             }
