@@ -65,3 +65,33 @@ fn all_hits_are_read_without_scrolling_and_misses_are_one_line() {
     }
     assert_eq!(read.iter().filter(|row| row.contains("missed: ")).count(), 1, "{read:#?}");
 }
+
+#[test]
+fn each_letter_of_an_equation_is_in_its_font_and_no_command_is_left() {
+    let mut keys = BTreeSet::new();
+    for program in PROGRAMS {
+        for handout in program.handouts {
+            let blocks = handout.split("$$").skip(1).step_by(2);
+            keys.extend(blocks.flat_map(|block| block.split(r"\qquad")).map(|it| latex(it).key()));
+        }
+    }
+    for (index, language) in
+        (0..STEPS.len()).flat_map(|index| Language::all().map(move |it| (index, it)))
+    {
+        language.speak();
+        let setup = setup(index);
+        for pixel in pixels(24, 14) {
+            let told = setup.step().explain(&*setup.view().camera(24.0 / 14.0), pixel);
+            keys.extend(told.lines().map(|line| typeset(line).key()));
+        }
+    }
+    Language::ENGLISH.speak();
+    assert!(keys.len() > 60, "{keys:?}");
+    for key in keys {
+        assert!(!key.contains('\\'), "{key}");
+        assert!(key.chars().all(MathFont::has), "{key}");
+        let sides = ["(", ")", "[", "]", "‖"].map(|side| key.matches(side).count());
+        let [open, close, left, right, bars] = sides;
+        assert!(open == close && left == right && bars % 2 == 0, "{key}");
+    }
+}
