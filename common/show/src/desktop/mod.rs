@@ -9,6 +9,7 @@ mod help;
 mod job;
 mod key;
 mod progress;
+mod read;
 mod said;
 mod shell;
 mod suite;
