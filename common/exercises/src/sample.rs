@@ -97,15 +97,15 @@ impl<'a> Sample<'a> {
 
     /// Whether each picture that is seen is all black or all white: nearly anything leads to that.
     pub(crate) fn is_blank(&self) -> bool {
-        let mut seen = self
-            .0
-            .iter()
-            .filter(|part| part.differing.first().is_some_and(|place| place.pair.times == 1.0));
-        seen.all(|part| {
-            let mut found = part.differing.iter().chain(&part.equal).map(Place::found);
-            let first = found.next().unwrap_or_default();
-            [[0; 3], [255; 3]].contains(&first) && found.all(|other| other == first)
-        })
+        let is_seen =
+            |part: &&Part<'_>| part.differing.first().is_some_and(|place| place.pair.times == 1.0);
+        let seen = || self.0.iter().filter(is_seen);
+        seen().count() > 0
+            && seen().all(|part| {
+                let mut found = part.differing.iter().chain(&part.equal).map(Place::found);
+                let first = found.next().unwrap_or_default();
+                [[0; 3], [255; 3]].contains(&first) && found.all(|other| other == first)
+            })
     }
 
     /// Some of its places that differ, for a first look.

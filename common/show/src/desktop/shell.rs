@@ -20,7 +20,7 @@ use minifb::MouseMode;
 
 use super::drawing::Drawing;
 use super::file;
-use super::key::session_key;
+use super::key::Typed;
 use super::said::print;
 use super::said::report;
 use super::watch;
@@ -310,7 +310,8 @@ impl Shell {
     /// Takes all keys and the mouse into account; a break when the program shall end.
     fn input(&mut self) -> Result<ControlFlow<()>> {
         if self.saving.is_some() {
-            let quit = self.window.typed.contains(&(minifb::Key::Escape, true));
+            let quits = |typed: &Typed| typed.key == minifb::Key::Escape && typed.down;
+            let quit = self.window.typed.iter().any(quits);
             return Ok(if quit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) });
         }
         let mut events = Vec::new();
@@ -327,17 +328,17 @@ impl Shell {
             }
         }
         while self.saving.is_none() {
-            let Some((key, down)) = self.window.typed.pop_front() else {
+            let Some(typed) = self.window.typed.pop_front() else {
                 break;
             };
-            let event = match (key, down) {
-                (minifb::Key::LeftShift | minifb::Key::RightShift, down) => {
-                    self.fine = down;
-                    continue;
-                }
-                (key, true) => session_key(key).map(|key| Event::Key(key, self.fine)),
-                (key, false) => session_key(key).map(Event::KeyUp),
-            };
+            if matches!(typed.key, minifb::Key::LeftShift | minifb::Key::RightShift) {
+                self.fine = typed.down;
+                continue;
+            }
+            let event = typed.session_key().map(|key| match typed.down {
+                true => Event::Key(key, self.fine),
+                false => Event::KeyUp(key),
+            });
             if let Some(event) = event
                 && self.tell(event)?.is_break()
             {
