@@ -196,7 +196,8 @@ fn keys_and_the_mouse_arrive() {
 #[ignore = "needs Xvfb and xdotool"]
 fn a_class_ended_by_mistake_goes_on_where_it_was() {
     let display = Display::start();
-    let open = |folder| Running::open(&display, ("lecture", "."), ("C", "--window 900x506"), folder);
+    let open =
+        |folder| Running::open(&display, ("lecture", "."), ("C", "--window 900x506"), folder);
     // What C prints is what is shown.
     let suite = lecture::suite();
     let (tour, _) = suite.tour(suite.tours[0].1);
@@ -290,7 +291,7 @@ fn without_a_window_the_picture_is_written() {
         };
         let output = command.output().expect("the step starts");
         let errors = String::from_utf8(output.stderr).expect("text");
-        let name = format!("{}.png", STEPS[4]);
+        let name = format!("{}-1.png", STEPS[4]);
         assert!(output.status.success() && errors.contains(reason), "{errors}");
         assert_eq!(files(folder.path()), [&*name], "nothing else is written");
         let found = read_picture(&folder.path().join(name));

@@ -27,6 +27,7 @@ mod setup;
 mod shown;
 mod sight;
 mod ticks;
+mod typed;
 mod vectors;
 mod written;
 
