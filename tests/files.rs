@@ -22,7 +22,6 @@ fn folder() -> TempDir {
 
 const OLD: &str = "the old file";
 
-/// What the step does with a small picture, in a folder.
 fn run(folder: &Path, arguments: &[impl AsRef<OsStr>]) -> Output {
     command(STEP, folder).args(["-s", "16x9"]).args(arguments).output().expect("it runs")
 }
@@ -39,7 +38,6 @@ fn assert_failed(folder: &Path, output: &Output, beginning: &str, end: &str) {
     assert_eq!(fs::read_to_string(folder.join("old.png")).expect("it is there"), OLD);
 }
 
-/// Rendered without a program.
 fn expected() -> RgbImage {
     picture_of(&setup(6), 16, 9)
 }

@@ -38,6 +38,7 @@ pub use canvas::Font;
 pub use canvas::Ink;
 pub use canvas::LESS;
 pub use canvas::MORE;
+pub use canvas::MathFont;
 pub use canvas::count_off;
 pub use canvas::decode;
 pub use canvas::difference;

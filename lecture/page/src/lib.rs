@@ -2,7 +2,7 @@
 //! this crate's `src`.
 
 mod class;
-mod code;
+mod listing;
 mod protocol;
 mod told;
 
@@ -30,7 +30,7 @@ use show::text;
 use show::translated;
 
 pub use crate::class::tours;
-use crate::code::listings;
+use crate::listing::listings;
 use crate::protocol::Ask;
 use crate::protocol::Done;
 use crate::protocol::Group;

@@ -3,9 +3,9 @@
 use std::cmp::Reverse;
 use std::ops::Range;
 
-use super::source::Item;
-use super::source::LISTENER;
-use super::source::Source;
+use super::parsed::Item;
+use super::parsed::LISTENER;
+use super::parsed::Source;
 use super::token::Kind;
 use super::token::tokens;
 

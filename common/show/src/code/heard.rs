@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::panic::Location;
 
-use super::source::Source;
+use super::parsed::Source;
 use crate::named_lines;
 use common::Explanation;
 use common::Line;

@@ -24,7 +24,7 @@ pub(super) fn help(suite: &Suite) -> String {
       --check-tour        which stops show nothing, or what the one before shows; exit 1 if any do
       --still             nothing glides from one stop to the next
       --divide PART       the step before left of PART of the width, such as 0.5
-      --difference        how far each pixel is from the step before's, times 8",
+      --difference        where there is more light than in the step before, and less",
             last
         );
     }

@@ -1,6 +1,6 @@
 //! A desk in a window: where things are on it, and what hands do there.
 
-mod code;
+mod code_row;
 mod explained;
 mod hands;
 mod layout;
