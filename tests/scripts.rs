@@ -8,7 +8,6 @@ use tests::prelude::*;
 use crate::articles::ELEMENTS;
 use crate::protocol::Asked;
 
-/// The text of all scripts.
 static SCRIPTS: LazyLock<&'static str> =
     LazyLock::new(|| ELEMENTS.iter().rfind(|it| it.name() == "script").expect("a script").inner);
 
@@ -30,11 +29,6 @@ fn names<'a, const N: usize>(script: &'a str, all: [&str; N]) -> Vec<&'a str> {
 fn quoted(before: &str) -> impl Iterator<Item = &'static str> + use<> {
     let after = after(&SCRIPTS, &format!("{before}\"")).into_iter();
     after.filter_map(|rest| rest.split('"').next())
-}
-
-/// What the scripts part the symbols with that a place may be for.
-pub(crate) fn or() -> &'static str {
-    quoted("dataset.symbol.split(").next().expect("there are such places")
 }
 
 /// The texts that the scripts say, in English.
@@ -126,8 +120,11 @@ fn the_style_is_of_what_is_on_the_page() {
         assert!(ELEMENTS.iter().any(|it| it.id() == id), "there is no #{id}");
     }
     let classes = named('.');
+    // Some are said where a line of code is told.
+    let code = Asked::at("#step07&pixel=480,300").ask(json!("code")).to_string();
     for class in &classes {
-        let is_made = SCRIPTS.contains(&format!("\"{class}\""));
+        let quoted = format!("\"{class}\"");
+        let is_made = SCRIPTS.contains(&quoted) || code.contains(&quoted);
         assert!(is_made || ELEMENTS.iter().any(|it| it.is(class)), "nothing is {class}");
     }
     let made = ["className: ", "classList.add(", "classList.toggle(", "classList.remove("];
