@@ -139,10 +139,11 @@ fn rough(address: &str) -> String {
 #[ignore = "needs Chromium and the wasm target"]
 fn each_key_does_what_it_does_in_the_window() {
     let start = "#step06&size=64x36&red.radius=0.8";
-    let mut session = Session::new(after(Desk::new(programs(), 0), &[Act::Open(start.to_owned())]));
+    let suite = lecture::suite();
+    let tours = suite.tours.iter().map(|(_, text)| suite.tour(text).0).collect();
+    let desk = Desk::new([suite.programs, suite.figures].concat(), 0).touring(tours);
+    let mut session = Session::new(after(desk, &[Act::Open(start.to_owned())]));
     let browser = Browser::at(start);
-    // The window has no way through the slides.
-    browser.run("asked({ tours: [] })");
     // Both point at the middle of a pixel.
     let (u, v) = (26.5 / 64.0, 20.5 / 36.0);
     let (x, y) = place(&session, (u, v));

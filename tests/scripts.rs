@@ -31,11 +31,7 @@ fn quoted(before: &str) -> impl Iterator<Item = &'static str> + use<> {
     after.filter_map(|rest| rest.split('"').next())
 }
 
-/// What the scripts part the symbols with that a place may be for.
-pub(crate) fn or() -> &'static str {
-    quoted("dataset.symbol.split(").next().expect("there are such places")
-}
-
+/// The texts that the scripts say, in English.
 pub(crate) fn said() -> impl Iterator<Item = String> {
     quoted("text(").map(str::to_owned)
 }
@@ -124,8 +120,11 @@ fn the_style_is_of_what_is_on_the_page() {
         assert!(ELEMENTS.iter().any(|it| it.id() == id), "there is no #{id}");
     }
     let classes = named('.');
+    // Some are said where a line of code is told.
+    let code = Asked::at("#step07&pixel=480,300").ask(json!("code")).to_string();
     for class in &classes {
-        let is_made = SCRIPTS.contains(&format!("\"{class}\""));
+        let quoted = format!("\"{class}\"");
+        let is_made = SCRIPTS.contains(&quoted) || code.contains(&quoted);
         assert!(is_made || ELEMENTS.iter().any(|it| it.is(class)), "nothing is {class}");
     }
     let made = ["className: ", "classList.add(", "classList.toggle(", "classList.remove("];

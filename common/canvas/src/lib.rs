@@ -6,6 +6,7 @@
 mod area;
 mod canvas;
 mod font;
+mod glyphs;
 mod ink;
 mod pixels;
 mod shape;

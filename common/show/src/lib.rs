@@ -27,6 +27,7 @@ mod setup;
 mod shown;
 mod sight;
 mod ticks;
+mod typed;
 mod vectors;
 mod written;
 
@@ -38,6 +39,7 @@ pub use canvas::Font;
 pub use canvas::Ink;
 pub use canvas::LESS;
 pub use canvas::MORE;
+pub use canvas::MathFont;
 pub use canvas::count_off;
 pub use canvas::decode;
 pub use canvas::difference;
@@ -83,6 +85,8 @@ pub use desktop::Exercises;
 pub use desktop::Finished;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::LONGEST;
+#[cfg(not(target_family = "wasm"))]
+pub use desktop::MakePage;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::Mistake;
 #[cfg(not(target_family = "wasm"))]

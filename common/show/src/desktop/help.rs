@@ -24,7 +24,7 @@ pub(super) fn help(suite: &Suite) -> String {
       --check-tour        which stops show nothing, or what the one before shows; exit 1 if any do
       --still             nothing glides from one stop to the next
       --divide PART       the step before left of PART of the width, such as 0.5
-      --difference        how far each pixel is from the step before's, times 8",
+      --difference        where there is more light than in the step before, and less",
             last
         );
     }
@@ -60,7 +60,7 @@ pub(super) fn help(suite: &Suite) -> String {
 
 Usage: {name} [OPTIONS]
 
-Without options it opens a window; with no display it writes {name}.png.
+Without options it opens a window; with no display it writes {name}-1.png.
 
 Options:
   -o, --output FILE       write a PNG, open no window; a name such as a.jpg is refused

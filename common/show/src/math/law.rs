@@ -1,11 +1,13 @@
 //! A step's own law, with the numbers of a pixel below its symbols.
 
+use std::cell::RefCell;
+
 use super::Boxed;
 use super::Letters;
 use super::Math;
-use super::boxes::Style;
 use super::latex;
 use super::plain;
+use super::setting::Style;
 use super::symbols;
 use crate::Ink;
 use crate::rounded;
@@ -55,7 +57,7 @@ pub(crate) fn symbol(line: &Line) -> Math {
 
 /// The colour of the symbol that a line gives a value to, if it has one of its own.
 pub fn ink_of(line: &Line) -> Option<Ink> {
-    super::boxes::ink(&symbol(line).key())
+    super::setting::ink(&symbol(line).key())
 }
 
 /// What a line tells, as a slide has it.
@@ -94,9 +96,17 @@ impl Law {
         Some(numbers.clone())
     }
 
-    /// What has numbers of its own in it.
-    pub fn told(&self) -> impl Iterator<Item = &str> {
-        self.told.iter().map(|(key, _)| key.as_str())
+    /// The [`key`](Math::key) of each part that has numbers.
+    pub fn told(&self) -> Vec<String> {
+        let found = RefCell::new(Vec::new());
+        let numbers = |key: &str| {
+            let numbers = self.numbers(key);
+            found.borrow_mut().extend(numbers.is_some().then(|| key.to_owned()));
+            numbers
+        };
+        let style = Style { size: 1.0, large: true, within: false, numbers: Some(&numbers) };
+        self.equations.iter().for_each(|equation| drop(style.set(equation)));
+        found.into_inner()
     }
 
     /// Sets its equations below each other, within `width` and `height`: as large as `size`, broken before

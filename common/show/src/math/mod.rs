@@ -8,6 +8,7 @@ mod boxes;
 mod law;
 mod markup;
 mod read;
+mod setting;
 mod symbols;
 
 pub use boxes::Boxed;

@@ -121,6 +121,11 @@ impl Panel {
         Area { left: inner.left + place.left, top, ..place }
     }
 
+    /// The rows that can be seen.
+    pub(super) fn seen(&self) -> impl Iterator<Item = &Row> {
+        (0..self.rows.len()).filter(|row| self.is_seen(*row)).map(|row| &self.rows[row])
+    }
+
     /// Whether all of a row can be seen, or it is higher than that.
     fn is_seen(&self, row: usize) -> bool {
         let (area, half) = (self.row_area(row), 0.5 * MARGIN * self.em);
