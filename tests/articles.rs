@@ -21,11 +21,9 @@ use crate::scripts;
 /// What the page has in it as the steps' program.
 const WASM: &[u8] = b"no program";
 
-/// The whole page.
 pub(crate) static HTML: LazyLock<String> =
     LazyLock::new(|| lecture::html(WASM, &[]).expect("the page is written"));
 
-/// Its elements, made once.
 pub(crate) static ELEMENTS: LazyLock<Vec<Element<'_>>> = LazyLock::new(|| elements(&HTML));
 
 /// Each step's handouts: its number, the text, and the article.
@@ -95,25 +93,26 @@ fn each_article_says_once_what_the_handout_says() {
     }
 }
 
-/// A symbol, or what is written in an equation, as it is read out: bold letters and indices are as
-/// any others, and the index of a light says nothing.
+/// A symbol, or what is written in an equation, as it is read out: bold and slanted letters and indices
+/// are as any others, and the index of a light says nothing.
 fn read_out(text: &str) -> String {
-    // Where Unicode's letters of mathematics begin, and which plain one that is.
-    let alphabets = [(0x1D41A, 'a'), (0x1D434, 'A'), (0x1D44E, 'a'), (0x1D6FC, 'α')];
+    let alphabets = [('𝐀', 'A'), ('𝐚', 'a'), ('𝐴', 'A'), ('𝑎', 'a'), ('𝛼', 'α')];
     let plain = |letter: char| match letter {
         'ℎ' => 'h',
-        '²' => '2',
-        '₁' => '1',
+        '⋅' => '·',
         '∗' => '*',
+        '²' => '2',
         letter => {
-            let begun = |(from, _): &&(u32, char)| (*from..from + 26).contains(&u32::from(letter));
-            let found = alphabets.iter().find(begun);
-            let code = found.map(|(from, first)| u32::from(letter) - from + u32::from(*first));
-            code.and_then(char::from_u32).unwrap_or(letter)
+            let place = |first: char| (letter as u32).checked_sub(first as u32);
+            let found = alphabets.iter().find_map(|(first, plain)| {
+                let place = place(*first).filter(|place| *place < 26)?;
+                char::from_u32(*plain as u32 + place)
+            });
+            found.unwrap_or(letter)
         }
     };
-    let read: String = text.chars().map(plain).collect();
-    read.replace(|letter| "_/^√ i⏟".contains(letter), "")
+    let letters = text.chars().map(plain);
+    letters.filter(|letter| !"_/^√ 𝑖i⏟\u{2061}".contains(*letter)).collect()
 }
 
 #[test]

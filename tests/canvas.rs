@@ -13,14 +13,12 @@ fn blank(width: u32, height: u32, grey: u8) -> RgbImage {
     RgbImage::from_pixel(width, height, Rgb([grey; 3]))
 }
 
-/// A black picture on which `draw` has drawn.
 fn drawn(width: u32, height: u32, draw: impl FnOnce(&mut Canvas<'_>)) -> RgbImage {
     let mut picture = blank(width, height, 0);
     draw(&mut Canvas::new(&mut picture));
     picture
 }
 
-/// Columns and rows of the pixels that are not black.
 fn inked(picture: &RgbImage) -> Vec<(u32, u32)> {
     let pixels = picture.enumerate_pixels();
     pixels.filter(|(.., pixel)| pixel.0 != [0; 3]).map(|(col, row, _)| (col, row)).collect()

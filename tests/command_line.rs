@@ -171,7 +171,6 @@ fn the_lecture_draws_what_its_steps_do_and_two_of_them_at_once() {
     assert!(difference == combined(&|_, a, b| eight_times(a, b)));
 }
 
-/// The writing end of a pipe that nobody reads.
 fn closed_pipe() -> Stdio {
     let (_, writer) = io::pipe().expect("a pipe");
     writer.into()

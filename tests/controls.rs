@@ -28,13 +28,11 @@ fn ready(index: usize, name: &str) -> Setup {
     setup
 }
 
-/// The control `name` of `setup`.
 fn called(setup: &Setup, name: &str) -> Setting {
     let found = setup.list().into_iter().find(|setting| setting.name == name);
     found.unwrap_or_else(|| panic!("there is no control '{name}'"))
 }
 
-/// Every control of every step, with the step's index.
 fn every_control() -> impl Iterator<Item = (usize, Setting)> {
     (0..STEPS.len()).flat_map(|index| setup(index).list().into_iter().map(move |it| (index, it)))
 }
@@ -118,7 +116,6 @@ fn names_are_unique_and_stay_and_need_no_quotes() {
     }
 }
 
-/// A control of this kind that stands there.
 fn control(kind: Kind, value: f32) -> Control {
     Control { name: "it".to_owned(), group: "", of: None, axis: None, kind, value }
 }
@@ -186,7 +183,7 @@ fn sliders_stand_where_their_value_is_and_give_numbers_that_can_be_typed() {
 const THIRD: f32 = 1.0 / 3.0;
 
 #[test]
-fn fifty_nudges_are_the_whole_range() {
+fn fifty_nudges_are_the_whole_range_or_each_comes_to_the_next() {
     for kind in [Kind::Number(-2.0..=6.0), Kind::Logarithmic(1.0..=1000.0)] {
         let start = *control(kind.clone(), 0.0).range().start();
         let mut it = control(kind, start);
@@ -201,24 +198,20 @@ fn fifty_nudges_are_the_whole_range() {
         assert!(it.fraction().difference(0.995) < 1e-4, "a fine nudge: {it:?}");
         assert_eq!(it.nudged(-60.0), start, "and back");
     }
-}
-
-#[test]
-fn a_nudge_or_a_slider_comes_to_the_next_whole_number_name_or_state() {
-    for (kind, last) in
-        [(Kind::Count(0..=2), 2), (Kind::Choice(&["a", "b", "c"]), 2), (Kind::Switch, 1)]
-    {
-        for place in 0..=last {
+    // Of whole numbers, names or states a fine nudge is a whole one: there is nothing in between.
+    let three = Kind::Choice(&["a", "b", "c"]);
+    for (kind, last, found) in [
+        (Kind::Count(0..=2), 2, [0, 1, 1, 2]),
+        (three, 2, [0, 1, 1, 2]),
+        (Kind::Switch, 1, [0, 0, 1, 1]),
+    ] {
+        for (place, step) in (0..=last).flat_map(|place| [(place, 1.0), (place, 0.1)]) {
             let it = control(kind.clone(), place as f32);
-            // A fine nudge is a whole one here: there is nothing in between.
-            for step in [1.0, 0.1] {
-                let next = [it.nudged(step), it.nudged(-step)].map(|value| value as i32);
-                assert_eq!(next, [(place + 1).min(last), (place - 1).max(0)], "{it:?}");
-            }
+            let next = [it.nudged(step), it.nudged(-step)].map(|value| value as i32);
+            assert_eq!(next, [(place + 1).min(last), (place - 1).max(0)], "{it:?}");
         }
         let it = control(kind, 0.0);
-        let found = [0.2, 0.3, 0.7, 0.8].map(|fraction| it.at_fraction(fraction) as i32);
-        assert_eq!(found, if last == 2 { [0, 1, 1, 2] } else { [0, 0, 1, 1] }, "{it:?}");
+        assert_eq!([0.2, 0.3, 0.7, 0.8].map(|part| it.at_fraction(part) as i32), found, "{it:?}");
     }
 }
 
@@ -256,4 +249,31 @@ fn what_is_visited_is_changed_a_point_on_each_axis_and_brightness_keeps_the_hue(
     let axis = |axis| ("a", Kind::Axis(axis, -3.0..=3.0));
     let others = [("n", Kind::Count(0..=9)), ("on", Kind::Switch)];
     assert_eq!(visitor.0, [[axis(0), axis(1), axis(2)].as_slice(), &others].concat());
+}
+
+#[test]
+fn numbers_are_taken_as_people_type_them_where_they_are_clear() {
+    let mut setup = setup(6);
+    let mut set = |text: &str| {
+        setup.set("center.x", text).ok()?;
+        let list = setup.list();
+        let name = |setting: &&Setting| setting.name == "red.center.x";
+        list.iter().find(name).map(|setting| setting.control.value)
+    };
+    for (text, number) in [
+        ("0,5", Some(0.5)),
+        ("−2", Some(-2.0)),
+        ("-0,25", Some(-0.25)),
+        ("2,0", Some(2.0)),
+        (" 1", Some(1.0)),
+        ("0,125", Some(0.125)),
+        // One, or a thousand.
+        ("1,000", None),
+        ("0,5,1", None),
+        ("1.0,5", None),
+        ("1 ,5", None),
+        (",", None),
+    ] {
+        assert_eq!(set(text), number, "{text}");
+    }
 }

@@ -9,6 +9,7 @@ mod keys;
 mod looks;
 mod session;
 mod setup;
+mod terminal;
 mod vectors;
 
 use std::fmt::Debug;
@@ -22,7 +23,6 @@ fn program(index: usize) -> Program {
     Program { code, idea: "an idea", ..program }
 }
 
-/// All steps on a desk, at the step `index`.
 fn desk(index: usize) -> Desk {
     Desk::new((0..STEPS.len()).map(program).collect(), index)
 }

@@ -42,7 +42,6 @@ pub(crate) fn files(step: &str) -> Files {
     paths.collect()
 }
 
-/// All steps with their files.
 fn all() -> Vec<(&'static str, Files)> {
     STEPS.iter().map(|step| (*step, files(step))).collect()
 }
@@ -54,7 +53,6 @@ fn place(path: &str) -> Option<usize> {
     names.position(|listed| path.strip_prefix("src/") == Some(listed))
 }
 
-/// What is added and removed, as git finds it.
 fn compared<'a>(old: &'a str, new: &'a str) -> TextDiff<'a, 'a, str> {
     TextDiff::configure().algorithm(Algorithm::Histogram).diff_lines(old, new)
 }

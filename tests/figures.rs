@@ -17,7 +17,6 @@ fn names(step: &str, folder: &str) -> Vec<String> {
     names
 }
 
-/// Every figure, with its step.
 fn figures() -> Vec<(&'static str, String)> {
     let of = |step| names(step, "examples").into_iter().map(move |name| (step, name));
     STEPS.into_iter().flat_map(of).collect()
@@ -46,7 +45,6 @@ fn pictures() -> Vec<(&'static str, String, String, String)> {
     figures().into_iter().map(figure).chain(TOLD.map(told)).collect()
 }
 
-/// What a figure's Portuguese picture is called.
 fn in_portuguese(name: &str) -> String {
     format!("{name}.pt-BR")
 }

@@ -24,7 +24,6 @@ fn file_of(name: &str, arguments: &[&str]) -> Option<String> {
     }
 }
 
-/// Runs the program `name`, which has to do what it is asked for.
 fn try_program(name: &str, arguments: &[&str], folder: &Path) -> Result<(), String> {
     let output = run_in(folder, name, arguments);
     // Pictures may differ, but what is said of that is asked for.

@@ -31,7 +31,6 @@ fn state(desk: &Desk) -> Value {
     })
 }
 
-/// A window and a page that show what `address` says.
 fn both(address: &str) -> (Session, Page) {
     let mut page = lecture::page();
     ask(&mut page, &json!({"do": {"open": address}}));

@@ -27,12 +27,10 @@ fn camera(view: &View) -> Box<dyn Camera> {
     view.camera(WIDTH as f32 / HEIGHT as f32)
 }
 
-/// What `step` shows, in linear radiance.
 fn colors(step: &dyn Step, view: &View) -> Vec<Color> {
     tests::colors(step, &*camera(view), WIDTH, HEIGHT)
 }
 
-/// Every pixel, explained.
 fn explanations(step: &dyn Step, view: &View) -> Vec<Explanation> {
     let camera = camera(view);
     pixels(WIDTH, HEIGHT).map(|pixel| step.explain(&*camera, pixel)).collect()
@@ -98,41 +96,6 @@ fn step06_with_one_light_and_no_shadow_is_step05() {
     later.scene.epsilon = UNSHADOWED;
     let why = "no ambient light, the key light alone, and no t lies in 1 < t < 1: L = L_d";
     same_whatever_is_set(&later, &Diffuse::default(), why);
-}
-
-/// What step 05, which has no shadows, shows of one light after the other is all that step 06 adds up
-/// where ε = 1; and of step 07 it is all but the highlights.
-#[test]
-fn with_epsilon_1_each_light_lights_all_that_faces_it_and_nothing_is_said_to_block_it() {
-    let mut later = Shadow::default();
-    later.scene.epsilon = UNSHADOWED;
-    let mut dull = Specular::default();
-    dull.scene.epsilon = UNSHADOWED;
-    dull.scene.objects.iter_mut().for_each(|object| object.material.k_s = 0.0);
-    let mut dark = later.clone();
-    dark.scene.lights.clear();
-    for view in views(&later) {
-        let mut expected = colors(&dark, &view);
-        for light in &later.scene.lights {
-            let mut earlier = Diffuse::default();
-            // The background is no light of its own.
-            earlier.scene.background = Color::ZERO;
-            (earlier.scene.light.position, earlier.scene.light.intensity) =
-                (light.position, light.intensity);
-            for (sum, color) in expected.iter_mut().zip(colors(&earlier, &view)) {
-                *sum += color;
-            }
-        }
-        let why = "with ε = 1 nothing is in a light's way: L = L_a + the sum of step 05's L_d";
-        same(&colors(&later, &view), &expected, why);
-        same(&colors(&dull, &view), &expected, why);
-        let shadowed = colors(&Shadow::default(), &view);
-        assert!(shadowed != expected, "with ε = 10⁻³ there are shadows, seen from {view:?}");
-    }
-    for told in [&later as &dyn Step, &dull].map(|step| explanations(step, &step.view())).concat() {
-        let mut blockers = told.lines().filter(|line| line.equation == "blocked by");
-        assert!(blockers.all(|line| line.value == Value::Word("nothing")));
-    }
 }
 
 #[test]

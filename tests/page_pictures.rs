@@ -14,7 +14,6 @@ fn differences(expected: &RgbImage, found: &RgbImage) -> (usize, u8) {
     each.fold((0, 0), |(count, most), difference| (count + 1, most.max(difference)))
 }
 
-/// Holds the picture on the page to the committed one.
 fn is_committed(browser: &Browser, name: &str, projection: &str) {
     browser.show(&format!("#{}&camera={projection}&size=240x135", &name[..6]));
     let path = root().join("tests/pictures").join(format!("{name}_{projection}.png"));

@@ -6,7 +6,6 @@ mod figures;
 mod files;
 mod language;
 mod mistakes;
-mod solutions;
 mod window;
 mod wrong;
 

@@ -16,7 +16,6 @@ fn camera(step: &dyn Step) -> Box<dyn Camera> {
     step.view().camera(size().aspect())
 }
 
-/// Every line of every step, with the step's index.
 fn all_lines() -> Vec<(usize, LineName)> {
     let of = |index| {
         let (step, mut lines) = (step(index), Lines::default());
@@ -62,7 +61,6 @@ fn own_answer(told: &Explanation, line: &LineName) -> Option<Answer> {
     (!matches!(value, Value::Word(_))).then(|| Answer { line: line.clone(), value })
 }
 
-/// A desk at the step of this index after some acts.
 fn acted(index: usize, acts: &[Act]) -> Desk {
     after(desk(index, size()), acts)
 }

@@ -46,7 +46,6 @@ impl Readme {
         Self { path: path.to_owned(), parts: parts(&source(path)) }
     }
 
-    /// Where it lies, from the root.
     pub(crate) fn name(&self) -> String {
         self.path.display().to_string()
     }
@@ -71,7 +70,6 @@ impl Readme {
         &below[..end.unwrap_or(below.len())]
     }
 
-    /// The text of each fenced block in `language`.
     pub(crate) fn fences(&self, language: &str) -> impl Iterator<Item = &str> {
         let is_it = move |part: &Part| matches!(part, Part::Fence(found, _) if found == language);
         self.said(is_it)
@@ -86,12 +84,10 @@ impl Readme {
         self.said(|part| matches!(part, Part::Link(_)))
     }
 
-    /// Its words.
     pub(crate) fn texts(&self) -> impl Iterator<Item = &str> {
         self.said(|part| matches!(part, Part::Text(_) | Part::Heading(..)))
     }
 
-    /// What these parts say.
     fn said(&self, is_it: impl Fn(&Part) -> bool) -> impl Iterator<Item = &str> {
         self.parts.iter().filter(move |part| is_it(part)).filter_map(Part::text)
     }
@@ -183,7 +179,6 @@ fn without_words(formula: &str) -> String {
     std::iter::once(first).chain(rest).collect::<Vec<_>>().join("\\text{}")
 }
 
-/// All READMEs that are no translation.
 pub(crate) fn originals() -> impl Iterator<Item = Readme> {
     readmes().into_iter().filter(|readme| !readme.is_translated())
 }

@@ -8,12 +8,10 @@ use crate::desk;
 const WINDOW: Size = Size::DEFAULT;
 const BACKGROUND: [u8; 3] = [21, 24, 31];
 
-/// A step alone in a [`WINDOW`].
 fn single(index: usize) -> Session {
     window(alone(index))
 }
 
-/// All steps, at the step `index`, in a [`WINDOW`].
 fn lecture(index: usize) -> Session {
     window(desk(index))
 }

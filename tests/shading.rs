@@ -27,7 +27,6 @@ fn lit(degrees: f32, paint: Paint, lights: &[Light]) -> Scene {
     Scene { lights: lights.to_vec(), epsilon: UNSHADOWED, ..scene }
 }
 
-/// The colour of the world's origin, seen from `eye`.
 fn seen(scene: &Scene, eye: Vec3) -> Color {
     trace(scene, &Ray::new(eye, -eye.normalize()))
 }

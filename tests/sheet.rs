@@ -46,7 +46,6 @@ impl Moved {
     }
 }
 
-/// The value's numbers; none of a word.
 fn quantity(value: impl Into<Value>) -> Option<Quantity> {
     let exact = |number: f32| Number::exact(number.into());
     match value.into() {

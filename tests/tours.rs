@@ -5,50 +5,19 @@ use std::iter;
 use tests::prelude::*;
 
 /// The titles of the deck's slides in their order, those that follow each other under one title once.
-const SLIDES: [&str; 42] = [
-    "Projeção",
-    "Duas abordagens",
-    "Ray tracing",
-    "Algoritmo de ray tracing",
-    "Geração de raios - paralela",
-    "Geração de raios - perspectiva",
-    "Interface para as câmeras",
-    "Mapeamento",
-    "Intersecções",
-    "Raios",
-    "Intersecção entre raio e esfera",
-    "Intersecção entre raio e triângulo",
-    "Ponto pertencente à triângulo",
-    "Coordenadas baricêntricas",
-    "Intersecção entre raio e triângulo",
-    "Intersecção de raios em software",
-    "Imagen resultante até o momento",
-    "Intersecção de raios em software",
-    "Imagen obtida até o momento",
-    "Tonalização",
-    "Aproximação por raio",
-    "Princípio de Huygens",
-    "Comportamentos dos raios",
-    "Reflexão",
-    "Reflexão difusa",
-    "Atenuação por distância",
-    "Reflexão Lambertiana",
-    "Tonalização difusa",
-    "Resultado esperado",
-    "Imagen obtida até o momento",
-    "Sombras",
-    "Imagen obtida até o momento",
-    "Múltiplas luzes",
-    "Imagen obtida até o momento",
-    "Reflexão especular",
-    "Modelo Blinn-Phong",
-    "Modelo Phong/Blinn-Phong",
-    "Tonalização especular",
-    "Tonalização difusa + especular",
-    "Illuminação ambiente",
-    "Somando as contribuições",
-    "Tarefa",
-];
+const SLIDES: &str = "\
+    Projeção; Duas abordagens; Ray tracing; Algoritmo de ray tracing; Geração de raios - \
+    paralela; Geração de raios - perspectiva; Interface para as câmeras; Mapeamento; \
+    Intersecções; Raios; Intersecção entre raio e esfera; Intersecção entre raio e \
+    triângulo; Ponto pertencente à triângulo; Coordenadas baricêntricas; Intersecção entre \
+    raio e triângulo; Intersecção de raios em software; Imagen resultante até o momento; \
+    Intersecção de raios em software; Imagen obtida até o momento; Tonalização; Aproximação \
+    por raio; Princípio de Huygens; Comportamentos dos raios; Reflexão; Reflexão difusa; \
+    Atenuação por distância; Reflexão Lambertiana; Tonalização difusa; Resultado esperado; \
+    Imagen obtida até o momento; Sombras; Imagen obtida até o momento; Múltiplas luzes; \
+    Imagen obtida até o momento; Reflexão especular; Modelo Blinn-Phong; Modelo \
+    Phong/Blinn-Phong; Tonalização especular; Tonalização difusa + especular; Illuminação \
+    ambiente; Somando as contribuições; Tarefa";
 
 fn own() -> Vec<Tour> {
     let suite = lecture::suite();
@@ -105,7 +74,7 @@ fn both_tours_have_the_same_stops_and_one_for_each_slide() {
     assert_eq!(of(english), of(portuguese));
     let mut slides: Vec<&str> = english.stops.iter().map(|stop| &*stop.slide).collect();
     slides.dedup();
-    assert_eq!(slides, SLIDES);
+    assert_eq!(slides, SLIDES.split("; ").collect::<Vec<_>>());
 }
 
 #[test]

@@ -38,7 +38,8 @@ function listRow({ number, pieces, notes, change, idle }) {
     (kind ? element("span", { className: kind, textContent: part }) : part));
   const code = element(change === "gone" ? "del" : "code", {}, ...parts);
   code.style.setProperty("--indent", whole.search(/\S|$/));
-  const row = element("div", { className: `row ${change}` }, code, ...notes.map(listNote));
+  const row = element("div", { className: "row" }, code, ...notes.map(listNote));
+  if (change) row.classList.add(change);
   row.classList.toggle("idle", idle);
   row.dataset.number = number;
   return row;

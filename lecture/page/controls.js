@@ -89,7 +89,7 @@ function showControls() {
   answers.show(altered ? groups.slice(0, 1) : []);
   controls.show(altered ? groups.slice(1) : groups);
   $("answers").hidden = !altered;
-  if (altered) $("answers").querySelector("summary").replaceChildren(...symbol(altered));
+  if (altered) $("answers").querySelector("summary").textContent = altered;
   if (count() <= before) return false;
   // Keys act on it, as the first that can be selected.
   chosen = "";

@@ -11,6 +11,7 @@ function does(question, moving = false) {
   } catch (error) {
     return notice(error.message);
   }
+  if (done.said && !done.known) notice(done.said);
   if (!done.known) return done;
   notice(done.said || "");
   if (done.redraw || done.repaint) refresh(!question.do || !question.do.open);

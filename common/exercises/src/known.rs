@@ -107,6 +107,11 @@ pub(crate) const ALL: &[Mistake] = known! {
             told(|said|
                 T_1(t) => ahead(t),
                 POINT(_) => said.viewing_ray()?.at(said.root(-1.0)?));
+        "t > 0 is not asked: what is behind the eye is seen too" =>
+            told(|said|
+                T_1(t) => ahead(t),
+                T(t) => ahead(t),
+                POINT(_) => said.viewing_ray()?.at(said.root(-1.0)?));
         "The roots are in the wrong order: the larger t is tried first" =>
             told(|said| T_1(_) => said.root(1.0)?, T_2(_) => said.root(-1.0)?);
         "Only the smaller root is tried: from inside a sphere the larger one is seen" =>
@@ -200,11 +205,8 @@ pub(crate) const ALL: &[Mistake] = known! {
             told(|said| ALPHA(_) => 1.0 + said.get(BETA)? + said.get(GAMMA)?);
     }
     "Intersecção de raios em software", "intersect in scene.rs" {
-        "t > 0 is not asked, of no surface: what is behind the eye is seen too" =>
-            told(|said|
-                T_1(t) => ahead(t),
-                T(t) => ahead(t),
-                POINT(_) => said.viewing_ray()?.at(said.root(-1.0)?));
+        "Nothing is hit: all that is seen is the background" =>
+            told(|_| T_1(_) => -1.0, T_2(_) => -1.0, T(_) => -1.0);
         "t_max stays as it was: the last hit wins, not the closest" =>
             told(|_| T_MAX(_) => f32::INFINITY);
         "The largest t wins: the hit is the farthest, not the closest" =>

@@ -95,11 +95,17 @@ impl<'a> Sample<'a> {
         self.0.iter().flat_map(|part| part.differing.iter().chain(&part.equal))
     }
 
-    /// The colour that is found everywhere, if it is one.
-    pub(crate) fn only_color(&self) -> Option<[u8; 3]> {
-        let mut seen = self.places().filter(|place| place.pair.times == 1.0).map(Place::found);
-        let color = seen.next()?;
-        seen.all(|other| other == color).then_some(color)
+    /// Whether each picture that is seen is all black or all white: nearly anything leads to that.
+    pub(crate) fn is_blank(&self) -> bool {
+        let is_seen =
+            |part: &&Part<'_>| part.differing.first().is_some_and(|place| place.pair.times == 1.0);
+        let seen = || self.0.iter().filter(is_seen);
+        seen().count() > 0
+            && seen().all(|part| {
+                let mut found = part.differing.iter().chain(&part.equal).map(Place::found);
+                let first = found.next().unwrap_or_default();
+                [[0; 3], [255; 3]].contains(&first) && found.all(|other| other == first)
+            })
     }
 
     /// Some of its places that differ, for a first look.

@@ -96,8 +96,8 @@ impl FromStr for Size {
 
     /// Reads `960x540`; the typographic × does as well.
     fn from_str(text: &str) -> Result<Self, SizeError> {
-        let (width, height) = text.split_once(['x', 'X', '×']).ok_or(SizeError::Syntax)?;
-        let number = |digits: &str| match digits.parse() {
+        let (width, height) = text.trim().split_once(['x', 'X', '×']).ok_or(SizeError::Syntax)?;
+        let number = |digits: &str| match digits.trim().parse() {
             Ok(number) => Ok(number),
             Err(_) if digits.len() > 9 && digits.bytes().all(|byte| byte.is_ascii_digit()) => {
                 Err(SizeError::TooLarge)

@@ -27,6 +27,7 @@ mod setup;
 mod shown;
 mod sight;
 mod ticks;
+mod typed;
 mod vectors;
 mod written;
 
@@ -84,6 +85,8 @@ pub use desktop::Exercises;
 pub use desktop::Finished;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::LONGEST;
+#[cfg(not(target_family = "wasm"))]
+pub use desktop::MakePage;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::Mistake;
 #[cfg(not(target_family = "wasm"))]

@@ -2,7 +2,7 @@
 //! this crate's `src`.
 
 mod class;
-mod code;
+mod listing;
 mod protocol;
 mod told;
 
@@ -19,6 +19,7 @@ use show::Effect;
 use show::Frame;
 use show::Hand;
 use show::Handle;
+use show::Key;
 use show::Language;
 use show::Program;
 use show::Reading;
@@ -29,7 +30,7 @@ use show::text;
 use show::translated;
 
 pub use crate::class::tours;
-use crate::code::listings;
+use crate::listing::listings;
 use crate::protocol::Ask;
 use crate::protocol::Done;
 use crate::protocol::Group;
@@ -153,11 +154,16 @@ impl Page {
 
     /// Does what a key does; what only the browser can do it is told.
     fn press(&mut self, name: &str, down: bool) -> Result<Done, String> {
-        match key(name).and_then(|key| self.desk.does(key)) {
+        let key = key(name);
+        match key.and_then(|key| self.desk.does(key)) {
             Some(Does::Act(act)) if down => do_on(&mut self.desk, act),
             Some(Does::While(begin, end)) => do_on(&mut self.desk, if down { begin } else { end }),
             Some(Does::Shell(hand)) if down => {
                 Ok(Done { known: true, hand: Some(hand_name(hand)), ..Done::default() })
+            }
+            None if down && key.is_some_and(|key| matches!(key, Key::Char(_))) => {
+                let said = text!("this key does nothing here; F1 lists all keys").to_owned();
+                Ok(Done { said: Some(said), ..Done::default() })
             }
             _ => Ok(Done::default()),
         }

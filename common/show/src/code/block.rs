@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use super::source::Site;
-use super::source::Source;
+use super::parsed::Site;
+use super::parsed::Source;
 
 /// What begins a statement that ends with its block.
 const BLOCKS: [&str; 5] = ["for", "if", "loop", "match", "while"];

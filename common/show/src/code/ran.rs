@@ -4,7 +4,7 @@
 use std::ops::Range;
 
 use super::heard::Heard;
-use super::source::Site;
+use super::parsed::Site;
 use super::walk::Id;
 use super::walk::Sources;
 

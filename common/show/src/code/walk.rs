@@ -1,8 +1,8 @@
 //! Which functions a picture is made by, in the order of the algorithm.
 
-use super::source::Item;
-use super::source::LISTENER;
-use super::source::Source;
+use super::parsed::Item;
+use super::parsed::LISTENER;
+use super::parsed::Source;
 
 /// A function or a type: the place of its file, and its own in that.
 pub(super) type Id = (usize, usize);

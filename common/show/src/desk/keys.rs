@@ -224,10 +224,15 @@ pub fn table() -> Vec<Row> {
 }
 
 impl Desk {
-    /// What `key` does now; nothing where it has no meaning. In the list of stops keys go through that.
+    /// What `key` does now; nothing where it has no meaning. In the list of stops keys go through that, and
+    /// from a black screen each leads back.
     pub fn does(&self, key: Key) -> Option<Does> {
         let act = match key {
-            _ if self.reading() != Reading::Stops || self.is_blank() => return does(key),
+            _ if self.is_blank() => match does(key) {
+                Some(Does::Shell(_)) | None => Act::Blank,
+                does => return does,
+            },
+            _ if self.reading() != Reading::Stops => return does(key),
             Key::Up => Act::Pick(-1),
             Key::Down => Act::Pick(1),
             Key::PageUp => Act::Pick(-PAGE),

@@ -2,7 +2,6 @@
 
 mod act;
 mod address;
-mod code;
 mod compare;
 mod doing;
 mod glide;
@@ -10,6 +9,7 @@ mod groups;
 mod keys;
 mod looking;
 mod program;
+mod sought;
 mod tour;
 mod what_if;
 mod wording;

@@ -336,7 +336,12 @@ impl Shell {
                     self.repaint = true;
                 }
                 Effect::Repaint => self.repaint = true,
-                Effect::Print(text) => print(&text)?,
+                // Who has closed or filled standard output has a window all the same.
+                Effect::Print(text) => {
+                    if let Err(error) = print(text.as_bytes()) {
+                        report(self.name, &file::told(&error));
+                    }
+                }
                 // A session says that in its window.
                 Effect::Say(_) => {}
                 Effect::Save => {
@@ -346,8 +351,9 @@ impl Shell {
                         Drawing::new(size, desk.samples(), wanted.camera, Duration::MAX)
                     };
                     self.saving = Some(desk.pictures().into_iter().map(drawing).collect());
-                    self.session
-                        .handle(Event::Say(text!("saved as soon as it is complete").to_owned()));
+                    self.session.handle(Event::Say(
+                        text!("saved as soon as it is complete; Ctrl+Q quits").to_owned(),
+                    ));
                     self.repaint = true;
                 }
                 // Where a picture takes long, a way of pictures takes longer.

@@ -7,6 +7,9 @@ use crate::Desk;
 use crate::Program;
 use crate::Tour;
 
+/// What makes the web page, with these tours.
+pub type MakePage = fn(&[Tour]) -> Result<String>;
+
 /// What a command line starts: a step, or the lecture with all steps.
 pub struct Suite {
     /// The program's name.
@@ -20,7 +23,7 @@ pub struct Suite {
     /// The tour in each language, where there is one: the name of its text, and the text.
     pub tours: Vec<(&'static str, &'static str)>,
     /// The web page with all steps and these tours, where there is one to be written.
-    pub page: Option<fn(&[Tour]) -> Result<String>>,
+    pub page: Option<MakePage>,
     /// Those who know the exercises, if these are asked for.
     pub exercises: Option<&'static dyn Exercises>,
 }

@@ -1,6 +1,6 @@
 //! A desk in a window: where things are on it, and what hands do there.
 
-mod code;
+mod code_row;
 mod explained;
 mod hands;
 mod layout;
@@ -223,7 +223,6 @@ impl Session {
         match self.desk.does(key) {
             Some(Does::Act(act)) => self.do_act(act),
             Some(Does::While(begin, _)) => self.act(begin),
-            _ if self.desk.is_blank() => self.act(Act::Blank),
             Some(Does::Shell(hand)) => self.do_by_hand(hand, if shift { 0.1 } else { 1.0 }),
             None => self.say(text!("this key does nothing here; F1 lists all keys").to_owned()),
         }

@@ -1,6 +1,6 @@
 //! A row of a panel: how high it is, and how it is drawn.
 
-use super::code::CodeRow;
+use super::code_row::CodeRow;
 use crate::Anchor;
 use crate::Area;
 use crate::Boxed;

@@ -1,8 +1,8 @@
 //! The rows of the panels beside the picture.
 
 use super::Session;
-use super::code::CodeRow;
-use super::code::Note;
+use super::code_row::CodeRow;
+use super::code_row::Note;
 use super::explained::Told;
 use super::layout::Layout;
 use super::layout::split;

@@ -222,14 +222,20 @@ impl Note {
     }
 }
 
-/// A line in pieces of at most so many letters, broken between its parts.
+/// A line in pieces of at most so many letters: broken at its spaces, or, where there are none, between
+/// its parts.
 fn wrapped(line: &CodeLine, columns: usize) -> Vec<Piece> {
     let text = line.text.as_str();
     let indent = text.len() - text.trim_start().len();
     let letters = |bytes: Range<usize>| text[bytes].chars().count();
     let mut pieces = Vec::new();
     let (mut start, mut left, mut end) = (indent, indent.min(columns / 2), indent);
-    for part in parts(line) {
+    let most = columns - columns / 2 - HANGING;
+    let parts = parts(line).into_iter().flat_map(|part| match letters(part.clone()) > most {
+        true => tokens_in(line, part),
+        false => vec![part],
+    });
+    for part in parts {
         if left + letters(start..part.end) > columns && start < part.start {
             pieces.push((left, start..end));
             start = part.start;
@@ -241,33 +247,29 @@ fn wrapped(line: &CodeLine, columns: usize) -> Vec<Piece> {
     pieces
 }
 
-/// What is not to be broken: the parts of the code, the words of a comment, and what follows without a
-/// space and begins nothing.
+/// What stands between spaces; a text stays whole.
 fn parts(line: &CodeLine) -> Vec<Range<usize>> {
     let mut parts: Vec<Range<usize>> = Vec::new();
     for (bytes, kind) in &line.kinds {
-        if *kind == CodeKind::Comment {
-            let mut at = bytes.start;
-            for word in line.text[bytes.clone()].split_inclusive(' ') {
-                parts.push(at..at + word.trim_end().len());
-                at += word.len();
-            }
-            continue;
-        }
-        let text = &line.text[bytes.clone()];
-        let closes = [",", ";", ")", "]", "}", "?", ":", "(", ">"].contains(&text);
         match parts.last_mut() {
-            Some(last) if closes && last.end == bytes.start => last.end = bytes.end,
-            // A method stays behind its point, a name behind its colons and its reference.
-            Some(last)
-                if last.end == bytes.start
-                    && line.text[last.clone()]
-                        .ends_with(['.', ':', '&', '!', '-', '\'', '#', '[']) =>
-            {
-                last.end = bytes.end;
+            _ if *kind == CodeKind::Comment => {
+                let mut at = bytes.start;
+                for word in line.text[bytes.clone()].split_inclusive(' ') {
+                    parts.push(at..at + word.trim_end().len());
+                    at += word.len();
+                }
             }
+            Some(last) if last.end == bytes.start => last.end = bytes.end,
             _ => parts.push(bytes.clone()),
         }
     }
     parts
+}
+
+fn tokens_in(line: &CodeLine, part: Range<usize>) -> Vec<Range<usize>> {
+    let tokens = line.kinds.iter().map(|(bytes, _)| bytes.clone());
+    let tokens: Vec<Range<usize>> =
+        tokens.filter(|bytes| part.contains(&bytes.start) && bytes.end <= part.end).collect();
+    // A word of a comment has none.
+    if tokens.is_empty() { vec![part] } else { tokens }
 }
