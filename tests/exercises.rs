@@ -22,14 +22,14 @@ use crate::solutions::RIGHT;
 use crate::solutions::WRONG;
 
 /// A copy of the steps, with programs of its own.
-struct Copy {
+pub(crate) struct Copy {
     root: PathBuf,
     /// The programs as they are before anything is changed.
     programs: PathBuf,
 }
 
 /// The one copy, for one test at a time.
-fn copy() -> MutexGuard<'static, Copy> {
+pub(crate) fn copy() -> MutexGuard<'static, Copy> {
     static COPY: LazyLock<Mutex<Copy>> = LazyLock::new(|| Mutex::new(Copy::new()));
     COPY.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -75,7 +75,7 @@ impl Copy {
 
     /// Puts the source of `step`, from 1 on, with `changes` into the package of its exercise, and
     /// gives what `--check` says of it.
-    fn check(&self, step: usize, changes: &[Change]) -> Output {
+    pub(crate) fn check(&self, step: usize, changes: &[Change]) -> Output {
         self.with(step, changes, |mut check| check.output().expect("it runs"))
     }
 

@@ -6,6 +6,7 @@ mod figures;
 mod files;
 mod language;
 mod mistakes;
+mod slips;
 mod solutions;
 mod window;
 mod wrong;

@@ -298,6 +298,10 @@ pub(crate) const ALL: &[Mistake] = known! {
             blocked(|ray, epsilon| {
                 between(Ray::new(ray.at(1.0), -ray.direction), epsilon, 1.0)
             });
+        "The shadow ray points away from the light: its direction is light − point" =>
+            blocked(|ray, epsilon| between(Ray::new(ray.origin, -ray.direction), epsilon, 1.0));
+        "The shadow ray's direction is the light's position, not the vector from the point to it" =>
+            blocked(|ray, epsilon| between(Ray::new(ray.origin, ray.at(1.0)), epsilon, 1.0));
         "Where one light is blocked all is black: black is what that light alone adds" =>
             told(|said| RADIANCE(l) =>
                 if said.lights_seen() < said.lights().len() { Color::ZERO } else { l });
@@ -371,6 +375,10 @@ pub(crate) const ALL: &[Mistake] = known! {
         "The exponent p is missing" => told(|_| EXPONENT(_) => 1.0);
     }
     "Reflexão", "shade in material.rs" {
+        "The highlight is where n·l < 0, not where n·l > 0" =>
+            told(|said|
+                N_DOT_L(n_dot_l) => if n_dot_l > 0.0 { n_dot_l } else { 1e-9 },
+                L_S(l_s) => if said.get(N_DOT_L)? > 1e-8 { Color::ZERO } else { l_s });
         "A light behind the surface has a highlight too: ask for n·l > 0" =>
             told(|_| N_DOT_L(n_dot_l) => n_dot_l.max(1e-9));
     }

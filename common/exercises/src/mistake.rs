@@ -158,7 +158,7 @@ pub(crate) fn centered(frame: &Frame<'_>) -> Radiance {
         let (u, v) = center(pixel);
         seen(frame.step, frame.camera.generate_ray(u, v), pixel, &[]).color
     };
-    Radiance { size: frame.size, colors: (0..width * height).map(color).collect() }
+    Radiance { width, colors: (0..width * height).map(color).collect() }
 }
 
 /// What is told of a place with one ray through its centre and `slips`.
