@@ -12,9 +12,9 @@ use image::imageops::FilterType;
 
 use crate::Diagnosis;
 use crate::Pair;
+use crate::Scene;
 use crate::Shot;
 use crate::case::Case;
-use crate::case::Scene;
 use crate::first_line::first_line;
 use crate::mistake::centered;
 use crate::other;
@@ -57,7 +57,7 @@ pub(crate) fn check(program: &Program, name: &str) -> Result<Verdict> {
     let scenes: Vec<Scene> = scenes
         .collect::<Result<_, String>>()
         .map_err(|name| anyhow!(text!("'{name}' cannot be set", name)))?;
-    let shots = cases.iter().zip(&scenes).map(|(case, scene)| (case, case.shot(scene)));
+    let shots = cases.iter().zip(&scenes).map(|(case, scene)| (case, scene.shot(1)));
     let mut built = None;
     let answers = if itself {
         shots.clone().map(|(_, shot)| Answer::Picture(shot.frame.radiance())).collect()
