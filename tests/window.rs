@@ -196,7 +196,8 @@ fn keys_and_the_mouse_arrive() {
 #[ignore = "needs Xvfb and xdotool"]
 fn a_class_ended_by_mistake_goes_on_where_it_was() {
     let display = Display::start();
-    let open = |folder| Running::open(&display, ("lecture", "."), ("C", "--window 900x506"), folder);
+    let open =
+        |folder| Running::open(&display, ("lecture", "."), ("C", "--window 900x506"), folder);
     // What C prints is what is shown.
     let suite = lecture::suite();
     let (tour, _) = suite.tour(suite.tours[0].1);
