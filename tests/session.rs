@@ -198,14 +198,16 @@ fn the_wheel_beside_the_picture_scrolls_and_a_click_on_a_heading_folds() {
     let mut session = single(6);
     let distance = view(&session).distance;
     let beside = |session: &mut Session, notches: f32| {
-        session.handle(Event::Move(900.0, 200.0));
-        session.handle(Event::Wheel(notches));
+        // What is below the pointer may be another line then.
+        for event in [Event::Move(900.0, 200.0), Event::Wheel(notches), Event::Move(900.0, 200.0)] {
+            session.handle(event);
+        }
         paint(session)
     };
     beside(&mut session, -3.0);
     click(&mut session, (0.5, 0.5));
     key(&mut session, Key::Down);
-    let top = paint(&mut session);
+    let top = beside(&mut session, 50.0);
     let bar = |image: &RgbImage| {
         (0..540).filter(|row| image.get_pixel(956, *row).0 == [128, 140, 160]).min()
     };
