@@ -165,10 +165,8 @@ fn the_lecture_draws_what_its_steps_do_and_two_of_them_at_once() {
         let found = drawn(LECTURE, &format!("--step 6 --divide {part} {settings}"));
         assert!(found == combined(&|col, a, b| if col < line { a } else { b }), "{part}");
     }
-    let difference = drawn(LECTURE, &format!("--step 6 --difference {settings}"));
-    let eight_times =
-        |a: [u8; 3], b: [u8; 3]| [0, 1, 2].map(|c| b[c].abs_diff(a[c]).saturating_mul(8));
-    assert!(difference == combined(&|_, a, b| eight_times(a, b)));
+    let found = drawn(LECTURE, &format!("--step 6 --difference {settings}"));
+    assert!(found == show::difference(&before, &this));
 }
 
 fn closed_pipe() -> Stdio {
@@ -290,7 +288,9 @@ proptest! {
         match output.status.code() {
             Some(0) => prop_assert!(said.lines().all(|line| line.starts_with(STEPS[6])), "{said}"),
             // A difference found is no error.
-            Some(1) if said.starts_with(STEPS[6]) => prop_assert!(!output.stdout.is_empty()),
+            Some(1) if !output.stdout.is_empty() => {
+                prop_assert!(said.lines().all(|line| line.starts_with(STEPS[6])), "{said}");
+            }
             Some(status @ (1 | 2)) => {
                 prop_assert!(only_line(&output).starts_with("error: "), "{said}");
                 prop_assert_eq!(said.ends_with("(--help lists what is possible)\n"), status == 2);
