@@ -9,9 +9,9 @@ use crate::readme::originals;
 
 /// Commands that are not run: they would change this machine or the files here, or run the tests
 /// inside of the tests.
-const NOT_RUN: &str = "UPDATE_SNAPSHOTS=1 cargo test; cargo bench; cargo test; cargo tree; cd ; git clone; git commit; \
-                       git add; git restore; git switch; povray; sudo apt install; sudo dnf install; \
-                       winget install; xcode-select --install";
+const NOT_RUN: &str = "UPDATE_SNAPSHOTS=1 cargo test; cargo bench; cargo test; cargo tree; cd ; git clone; \
+                       git commit; git add; git restore; git switch; povray; sudo apt install; \
+                       sudo dnf install; winget install; xcode-select --install";
 
 /// The file that a program with these arguments is to write, if any.
 fn file_of(name: &str, arguments: &[&str]) -> Option<String> {
