@@ -94,7 +94,7 @@ fn changed(file: &str, line: &str) -> Vec<String> {
 
 /// Where `text` stands in `line`, but not in a string.
 fn code(line: &str, text: &str) -> impl Iterator<Item = usize> {
-    let is_code = |place: &usize| line[..*place].matches('"').count() % 2 == 0;
+    let is_code = |place: &usize| line[..*place].matches('"').count().is_multiple_of(2);
     line.match_indices(text).map(|it| it.0).filter(is_code)
 }
 
@@ -127,7 +127,7 @@ fn said(text: &str) -> String {
 fn slips_made_by_rule_are_answered_as_they_were() {
     let copy = copy();
     let mut table = String::new();
-    for index in 1..STEPS.len() {
+    for (index, step) in STEPS.iter().enumerate().skip(1) {
         for change in slips(index) {
             let output = copy.check(index + 1, std::slice::from_ref(&change));
             let (file, from, to) = change;
@@ -135,7 +135,7 @@ fn slips_made_by_rule_are_answered_as_they_were() {
                 continue;
             }
             let said = said(&String::from_utf8_lossy(&output.stdout));
-            let line = format!("{} {file}: {from}\n    {to}\n        {said}\n", STEPS[index]);
+            let line = format!("{step} {file}: {from}\n    {to}\n        {said}\n");
             say(&line);
             write!(table, "{line}").expect("a string takes it");
         }

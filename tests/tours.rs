@@ -279,11 +279,10 @@ fn what_is_said_lies_below_the_picture_whole() {
         let told = painted(&mut session, size(width, height), "");
         let area = session.picture_area();
         let mut other = window(class(&text.replace(long.trim_end_matches("read."), "nothing ")));
-        let differs = |(a, b): &((u32, u32, &Rgb<u8>), (u32, u32, &Rgb<u8>))| a.2 != b.2;
         let without = painted(&mut other, size(width, height), "");
         assert_eq!(other.picture_area(), area, "it jumps for no text");
         let pairs = told.enumerate_pixels().zip(without.enumerate_pixels());
-        let rows: Vec<u32> = pairs.filter(differs).map(|(a, _)| a.1).collect();
+        let rows: Vec<u32> = pairs.filter(|(a, b)| a.2 != b.2).map(|(a, _)| a.1).collect();
         let (least, most) = (rows.iter().min().copied(), rows.iter().max().copied());
         assert!(least.is_some_and(|row| row as f32 >= area.bottom()), "{width}: below it");
         assert!(most.is_some_and(|row| (row as usize) < height - 2), "{width}: nothing is cut off");
