@@ -144,6 +144,8 @@ impl Session {
         let area = area.inset(0.4 * em);
         let program = self.desk.in_sight().0;
         let (Program { name, slides, .. }, (concept, _)) = (program, program.told());
+        // At a stop its slide stands below.
+        let slides = if layout.stop.is_some() { "" } else { *slides };
         let headline = if slides.is_empty() { concept } else { slides };
         if area.height < 5.0 * row {
             let made = format!("{name}   {status}");
