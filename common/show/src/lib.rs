@@ -127,6 +127,7 @@ pub use math::laws;
 pub use math::mathml;
 pub use math::plain;
 pub use math::symbols;
+pub use math::terms;
 pub use math::typeset;
 pub use outside::Outside;
 pub use over::compared;

@@ -58,6 +58,10 @@ fn part(math: &Math, place: Place<'_>) -> String {
             format!("<mn>{word}</mn>")
         }
         Math::Word(word) => format!("<mi>{}</mi>", escaped(word)),
+        // What it belongs to may stand on another line.
+        Math::Sign(sign @ ('[' | ']')) => format!("<mo stretchy=\"false\">{sign}</mo>"),
+        // Also where a line begins with it.
+        Math::Sign('+') => "<mo form=\"infix\">+</mo>".to_owned(),
         Math::Sign(sign) => format!("<mo>{}</mo>", escaped(&sign.to_string())),
         Math::Space(ems) => format!("<mspace width=\"{ems}em\"></mspace>"),
         Math::Fraction(above, below) => {
@@ -76,7 +80,11 @@ fn part(math: &Math, place: Place<'_>) -> String {
                 (_, None, _) => "msup",
                 (_, Some(_), Some(_)) => "msubsup",
             };
-            format!("<{name}>{}{below}{above}</{name}>", one(base, &mut |_, _| None))
+            let base = match **base {
+                Math::Fence(..) => one(base, place),
+                _ => one(base, &mut |_, _| None),
+            };
+            format!("<{name}>{base}{below}{above}</{name}>")
         }
         Math::Fence(open, inside, close) => {
             let high = *open == '[' || inside.is_high();
