@@ -46,6 +46,8 @@ class Controls {
     const id = `${this.prefix}input-${name}`;
     const input = this.input({ name, kind, takes, options });
     Object.assign(input, { id, name });
+    // Not every screen reader reads a label that is a formula.
+    input.setAttribute("aria-label", name);
     const reset = element("button", { type: "button", textContent: "↺" });
     reset.setAttribute("aria-label", `${text("Reset")} ${name}`);
     reset.onclick = () => {

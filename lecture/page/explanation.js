@@ -104,6 +104,7 @@ function tellLine({ shown, math, ink, name, open }) {
     return row;
   }
   const show = element("button", { type: "button", innerHTML: math });
+  show.setAttribute("aria-label", shown);
   show.setAttribute("aria-pressed", "false");
   show.dataset.line = JSON.stringify(name);
   term.append(show);

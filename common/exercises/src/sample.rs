@@ -2,12 +2,45 @@
 
 use image::RgbImage;
 
+use crate::mistake::Mistake;
 use common::Camera;
+use common::Step;
 use show::Frame;
 use show::Setup;
+use show::Shown;
 use show::Size;
 use show::TOLERANCE;
 use show::off;
+
+/// A step as it is set up and seen, and as each mistake in its settings has it.
+pub struct Scene {
+    setup: Setup,
+    camera: Box<dyn Camera>,
+    size: Size,
+    altered: Vec<Altered>,
+}
+
+/// What a mistake is, and the step with it.
+type Altered = (&'static str, Box<dyn Shown>);
+
+impl Scene {
+    /// What a picture of this size shows of the step as it is set up.
+    pub fn new(setup: Setup, size: Size) -> Self {
+        let camera = setup.view().camera(size.aspect());
+        let altered = Mistake::ALL.iter().filter_map(|it| Some((it.what, it.altered(&setup)?)));
+        let altered = altered.collect();
+        Self { setup, camera, size, altered }
+    }
+
+    /// Its picture, with the square of `samples` rays a pixel.
+    pub fn shot(&self, samples: usize) -> Shot<'_> {
+        let Self { setup, camera, size, altered } = self;
+        let controls = setup.list();
+        let epsilon = controls.iter().find(|setting| setting.name == "epsilon");
+        let epsilon = epsilon.map_or(0.0, |setting| setting.control.value);
+        Shot { epsilon, altered, ..Shot::right(setup, &**camera, *size, samples) }
+    }
+}
 
 /// How a picture is made, and what a mistake has to know of that.
 #[derive(Clone, Copy)]
@@ -16,15 +49,22 @@ pub struct Shot<'a> {
     pub frame: Frame<'a>,
     /// Where shadow rays begin.
     pub(crate) epsilon: f32,
+    altered: &'a [Altered],
 }
 
 impl<'a> Shot<'a> {
-    /// What `camera` sees of the step as it is set up, with the square of `samples` rays a pixel.
-    pub fn new(setup: &'a Setup, camera: &'a dyn Camera, size: Size, samples: usize) -> Self {
-        let controls = setup.list();
-        let epsilon = controls.iter().find(|setting| setting.name == "epsilon");
-        let epsilon = epsilon.map_or(0.0, |setting| setting.control.value);
-        Self { frame: Frame { step: setup.step(), camera, size, samples }, epsilon }
+    /// What `camera` sees of the step as it is set up: nobody asks it for a mistake.
+    pub(crate) fn right(
+        setup: &'a Setup, camera: &'a dyn Camera, size: Size, samples: usize,
+    ) -> Self {
+        let frame = Frame { step: setup.step(), camera, size, samples };
+        Self { frame, epsilon: 0.0, altered: &[] }
+    }
+
+    /// The step with the mistake `what`, if that is one of settings.
+    pub(crate) fn altered(&self, what: &str) -> Option<&'a dyn Step> {
+        let altered = self.altered.iter().find(|altered| altered.0 == what);
+        altered.map(|(_, step)| &**step as &dyn Step)
     }
 }
 

@@ -63,7 +63,8 @@ Usage: {name} [OPTIONS]
 Without options it opens a window; with no display it writes {name}-1.png.
 
 Options:
-  -o, --output FILE       write a PNG, open no window; a name such as a.jpg is refused
+  -o, --output FILE       write a PNG, open no window; - is standard output, and a.pfm has the
+                          light before it is encoded; a name such as a.jpg is refused
   -s, --size WxH          pixels ({size})
       --camera KIND       {cameras}
       --set NAME=VALUE    set a control, as its slider would; repeatable, applied in order
@@ -77,7 +78,8 @@ Options:
       --range LOW,HIGH    with --show, between which numbers its colours tell apart
       --curve             with --show and --pixel, the line along the pixel's row too
       --what-if LINE=V    a told line answered otherwise: 'V=1', 'L_s=0'; repeatable
-      --compare FILE      render, say how far FILE is from it and where; exit 1 if they differ;
+      --compare FILE      render, say how far FILE is from it and where; exit 1 if they differ; a
+                          PNG, PPM, BMP, TGA or JPEG, and - is standard input;
                           with -o, write expected, found and difference side by side; with --show,
                           compare a picture of that line, numbers as grey{check}{lecture}
       --language pt|en    Portuguese or English; else the system's language

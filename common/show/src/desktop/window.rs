@@ -235,6 +235,13 @@ impl Window {
 /// Why there is no window, in one line.
 fn reason(error: minifb::Error) -> anyhow::Error {
     let text = error.to_string();
+    // It looks for them when it runs, and would say where in four hundred letters.
+    if text.contains("failed to load X") {
+        return anyhow!(text!(
+            "the libraries libX11 and libXcursor are missing: sudo apt install libx11-6 libxcursor1, \
+             or sudo dnf install libX11 libXcursor"
+        ));
+    }
     if !text.contains("XOpenDisplay") {
         return anyhow!("{}", text.lines().next().unwrap_or_default().to_owned());
     }
