@@ -14,7 +14,6 @@ use std::sync::atomic::AtomicBool;
 use std::sync::atomic::Ordering;
 use std::sync::mpsc;
 use std::sync::mpsc::Receiver;
-use std::sync::mpsc::RecvTimeoutError;
 use std::sync::mpsc::Sender;
 use std::thread;
 use std::thread::JoinHandle;
@@ -127,10 +126,7 @@ impl Watcher {
     }
 
     fn build(&self) -> Result<News> {
-        let arguments = match self.arguments.recv_timeout(PATIENCE) {
-            Ok(arguments) => arguments,
-            Err(RecvTimeoutError::Timeout | RecvTimeoutError::Disconnected) => Vec::new(),
-        };
+        let arguments = self.arguments.recv_timeout(PATIENCE).unwrap_or_default();
         let mut cargo = self.workspace.cargo(self.name);
         if std::env::current_exe()?.parent().is_some_and(|folder| folder.ends_with("release")) {
             cargo.arg("--release");
