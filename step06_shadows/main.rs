@@ -4,5 +4,6 @@ use std::process::ExitCode;
 use step06_shadows::Lesson;
 
 fn main() -> ExitCode {
-    exercises::main::<Lesson>(env!("CARGO_PKG_NAME"), env!("CARGO_PKG_DESCRIPTION"))
+    let (name, concept) = (env!("CARGO_PKG_NAME"), env!("CARGO_PKG_DESCRIPTION"));
+    exercises::main::<Lesson>(name, concept, source::of(name), include_str!("README.md"))
 }

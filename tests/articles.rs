@@ -3,18 +3,13 @@
 use std::io::Read;
 use std::sync::LazyLock;
 
-use base64::Engine as _;
-use base64::engine::general_purpose::STANDARD;
 use flate2::read::GzDecoder;
-use lecture::FIGURES;
-use lecture::PROGRAMS;
 use pulldown_cmark::Event;
 use pulldown_cmark::Options;
 use pulldown_cmark::Parser;
 use pulldown_cmark::Tag;
 use pulldown_cmark::TagEnd;
 use serde_json::Value;
-use serde_json::json;
 use tests::prelude::*;
 
 use crate::markup::Element;
@@ -26,11 +21,9 @@ use crate::scripts;
 /// What the page has in it as the steps' program.
 const WASM: &[u8] = b"no program";
 
-/// The whole page.
 pub(crate) static HTML: LazyLock<String> =
-    LazyLock::new(|| lecture::html(WASM).expect("the page is written"));
+    LazyLock::new(|| lecture::html(WASM, &[]).expect("the page is written"));
 
-/// Its elements, made once.
 pub(crate) static ELEMENTS: LazyLock<Vec<Element<'_>>> = LazyLock::new(|| elements(&HTML));
 
 /// Each step's handouts: its number, the text, and the article.
@@ -51,28 +44,30 @@ fn letters(text: &str) -> String {
 }
 
 #[test]
-fn each_article_says_what_the_handout_says() {
+fn each_article_says_once_what_the_handout_says() {
     for (number, handout, article) in handouts() {
-        let is_shown_already = |part: &&str| {
-            !["Before and after\n", "Antes e depois\n"].iter().any(|h| part.starts_with(h))
-        };
-        let parts: Vec<&str> = handout.split("\n## ").filter(is_shown_already).collect();
-        let heading = |part: &&str| part.lines().next().unwrap().replace('`', "");
+        let shown_already = ["Before and after\n", "Antes e depois\n"];
+        let parts = handout.split("\n## ");
+        let parts = parts.filter(|part| !shown_already.iter().any(|title| part.starts_with(title)));
+        let parts: Vec<&str> = parts.collect();
         let all = article.elements();
         let is_section = |it: &&Element<'_>| it.name() == "details" && it.says("class").is_some();
         let sections: Vec<&Element<'_>> = all.iter().filter(is_section).collect();
-        let title = all.iter().find(|it| it.name() == "h2").expect("a title");
-        let first = |it: &&Element<'_>| it.elements()[1].text();
-        let headings = [vec![title.text()], sections.iter().map(first).collect()].concat();
-        let expected: Vec<String> = parts.iter().map(heading).collect();
-        assert_eq!(headings.join("\n"), expected.join("\n").trim_start_matches("# "), "{number}");
-        let open: Vec<(String, bool)> = sections
-            .iter()
-            .map(|it| (it.says("class").unwrap(), it.says("open").is_some()))
-            .collect();
-        let first = ["idea", "equation", "try"].map(|class| (class.to_owned(), true));
-        assert_eq!(open[..3], first, "step {number}");
-        assert!(open[3..].iter().all(|it| *it == ("more".to_owned(), false)), "step {number}");
+        let title = all.iter().find(|it| it.name() == "h2").expect("a title").text();
+        let headings = sections.iter().map(|it| it.elements()[1].text());
+        let headings: Vec<String> = [format!("# {title}")].into_iter().chain(headings).collect();
+        let heading = |part: &&str| part.lines().next().unwrap_or_default().replace('`', "");
+        assert_eq!(headings, parts.iter().map(heading).collect::<Vec<_>>(), "{number}");
+        let open = sections.iter().map(|it| (it.says("class").unwrap(), it.says("open").is_some()));
+        let first = ["idea", "equation", "try"].into_iter().map(|class| (class, true));
+        let expected = first.chain(std::iter::repeat(("more", false))).take(sections.len());
+        assert!(open.eq(expected.map(|it| (it.0.to_owned(), it.1))), "step {number}");
+        let blocks = ["p", "li", "td", "pre", "figcaption"];
+        let texts = all.iter().filter(|it| blocks.contains(&it.name())).map(Element::text);
+        let mut seen = BTreeSet::new();
+        for text in texts.filter(|text| text.len() >= 40) {
+            assert!(seen.insert(text.clone()), "twice in step {number}: {text}");
+        }
 
         // Each piece of text is there, once the one before it is; ways to other pages are not.
         let handout = parts.join("\n## ");
@@ -82,18 +77,15 @@ fn each_article_says_what_the_handout_says() {
         let (mut rest, mut deep) = (&*article, 0);
         let options = Options::ENABLE_TABLES | Options::ENABLE_MATH;
         for event in Parser::new_ext(&blocks.join("\n\n"), options) {
+            use Tag::*;
             match event {
-                Event::Start(
-                    Tag::Table(_) | Tag::Link { .. } | Tag::Heading { .. } | Tag::Image { .. },
-                ) => deep += 1,
+                Event::Start(Table(_) | Link { .. } | Heading { .. } | Image { .. }) => deep += 1,
                 Event::End(TagEnd::Table | TagEnd::Link | TagEnd::Heading(_) | TagEnd::Image) => {
                     deep -= 1
                 }
                 Event::Text(text) | Event::Code(text) if deep == 0 => {
-                    let text = letters(&text);
-                    let (_, after) =
-                        rest.split_once(&text).unwrap_or_else(|| panic!("{number}: {text}"));
-                    rest = after;
+                    let after = rest.split_once(&letters(&text));
+                    rest = after.unwrap_or_else(|| panic!("{number}: {text}")).1;
                 }
                 _ => {}
             }
@@ -101,76 +93,49 @@ fn each_article_says_what_the_handout_says() {
     }
 }
 
-#[test]
-fn no_text_stands_on_the_page_twice() {
-    for (number, _, article) in handouts() {
-        let mut seen: Vec<String> = Vec::new();
-        for element in article.elements() {
-            let text = element.text();
-            if !["p", "li", "td", "pre", "figcaption"].contains(&element.name()) || text.len() < 40
-            {
-                continue;
-            }
-            assert!(!seen.contains(&text), "step {number}: {text}");
-            seen.push(text);
-        }
-    }
-}
-
-/// A symbol, or what is written in an equation, as it is read out: bold letters and indices are as
-/// any others, and the index of a light says nothing.
+/// A symbol, or what is written in an equation, as it is read out: bold and slanted letters and indices
+/// are as any others, and the index of a light says nothing.
 fn read_out(text: &str) -> String {
+    let alphabets = [('𝐀', 'A'), ('𝐚', 'a'), ('𝐴', 'A'), ('𝑎', 'a'), ('𝛼', 'α')];
     let plain = |letter: char| match letter {
-        '𝐩' => 'p',
-        '𝐝' => 'd',
-        '𝐧' => 'n',
-        '𝐥' => 'l',
-        '𝐡' => 'h',
+        'ℎ' => 'h',
         '⋅' => '·',
+        '∗' => '*',
         '²' => '2',
-        letter => letter,
+        letter => {
+            let place = |first: char| (letter as u32).checked_sub(first as u32);
+            let found = alphabets.iter().find_map(|(first, plain)| {
+                let place = place(*first).filter(|place| *place < 26)?;
+                char::from_u32(*plain as u32 + place)
+            });
+            found.unwrap_or(letter)
+        }
     };
-    let is_silent = |letter: &char| "_/^√ i\u{2061}".contains(*letter);
-    text.chars().filter(|letter| !is_silent(letter)).map(plain).collect()
+    let letters = text.chars().map(plain);
+    letters.filter(|letter| !"_/^√ 𝑖i⏟\u{2061}".contains(*letter)).collect()
 }
 
 #[test]
 fn below_each_symbol_is_the_place_for_its_number() {
     for (number, _, article) in handouts() {
-        let step = step(number - 1);
-        let pixel = Pixel { col: 480, row: 300, width: 960, height: 540 };
-        let told = step.explain(&*step.view().camera(960.0 / 540.0), pixel);
+        let told = explained(&setup(number - 1), (480, 300), Size::DEFAULT);
         let told: Vec<&str> = told.told.all_lines().iter().map(|line| line.symbol()).collect();
         let section = article.elements().into_iter().find(|it| it.is("equation")).unwrap();
         let all = section.elements();
         let is_place = |it: &&Element<'_>| it.says("data-symbol").is_some();
-        let mut symbols = Vec::new();
+        let mut count = 0;
         for under in all.iter().filter(|it| it.name() == "munder") {
             let inner = under.elements();
             let Some(place) = inner.iter().find(is_place) else { continue };
             let symbol = place.says("data-symbol").unwrap();
-            let is_told = symbol.split('|').any(|symbol| told.contains(&symbol));
-            assert!(is_told, "step {number} does not tell {symbol}");
-            let written = match &*symbol {
-                "t_max" => "t*".to_owned(),
-                "t₁|t" => "t".to_owned(),
-                symbol => read_out(symbol),
-            };
-            assert_eq!(read_out(&under.text()), written, "step {number}: {symbol}");
-            symbols.push(symbol);
+            let is_told = told.contains(&&*symbol);
+            let written = symbol.replace("t_max", "t*").replace("t₁", "t");
+            let same = read_out(&under.text()) == read_out(&written);
+            assert!(is_told && same, "step {number}: {symbol} below {}", under.text());
+            count += 1;
         }
-        assert!(!symbols.is_empty(), "step {number}");
-        assert_eq!(symbols.len(), all.iter().filter(is_place).count(), "step {number}");
+        assert!(count > 0 && count == all.iter().filter(is_place).count(), "step {number}");
     }
-}
-
-/// A desk that shows what an address says.
-fn opened(address: &str) -> Desk {
-    let mut desk = Desk::new(lecture::programs(), 0);
-    let effects = desk.act(Act::Open(address.to_owned())).expect("an address");
-    let said = effects.iter().find(|effect| matches!(effect, Effect::Say(_)));
-    assert_eq!(said, None, "{address}");
-    desk
 }
 
 #[test]
@@ -178,40 +143,15 @@ fn what_is_to_be_tried_is_what_the_link_opens() {
     for (number, _, article) in handouts() {
         let mut tried = 0;
         for link in article.elements().into_iter().filter(|it| it.name() == "a") {
-            let address = link.says("href").expect("where it leads");
-            let shown = opened(&address);
-            if !link.is("try") {
-                continue;
+            let (to, text) = (link.says("href").expect("where it leads"), link.text());
+            let mut shown = Desk::new(programs(), 0);
+            let effects = act(&mut shown, Act::Open(to.clone()));
+            assert!(!effects.iter().any(|effect| matches!(effect, Effect::Say(_))), "{to}");
+            if link.is("try") {
+                let expected = after(Desk::new(programs(), number - 1), &acts_of(&text));
+                assert_eq!(address(&shown), address(&expected), "{text}");
+                tried += 1;
             }
-            tried += 1;
-            let mut expected = Desk::new(lecture::programs(), number - 1);
-            let text = link.text();
-            let mut words = text.split_whitespace();
-            while let Some(flag) = words.next() {
-                let mut value = || words.next().expect("a value").to_owned();
-                let whole = |number: &str| number.parse().expect("a whole number");
-                let asked = match flag {
-                    "--set" => {
-                        let setting = value();
-                        let (name, value) = setting.split_once('=').expect("a setting");
-                        Act::Set(name.to_owned(), value.to_owned())
-                    }
-                    "--camera" => Act::Set("camera".to_owned(), value()),
-                    "--pixel" => {
-                        let place = value();
-                        let (col, row) = place.split_once(',').expect("a pixel");
-                        Act::PinPixel(whole(col), whole(row))
-                    }
-                    "--show" => Act::ShowNamed(value()),
-                    "--what-if" => Act::Answer(value()),
-                    "--outside" => Act::Outside,
-                    "--size" => Act::Size(value().parse().expect("a size")),
-                    _ => panic!("{text}"),
-                };
-                act(&mut expected, asked);
-            }
-            let [shown, expected] = [shown, expected].map(|desk| desk.address(Language::ENGLISH));
-            assert_eq!(shown, expected, "{text}");
         }
         assert!(tried > 3, "step {number}");
     }
@@ -220,28 +160,37 @@ fn what_is_to_be_tried_is_what_the_link_opens() {
 #[test]
 fn each_figure_has_a_place_of_its_shape() {
     let style = ELEMENTS.iter().find(|it| it.name() == "style").expect("a style").inner;
-    for language in ["en", "pt-BR"] {
-        let mut names = Vec::new();
-        for (_, _, article) in handouts().filter(|it| it.2.says("lang").unwrap() == language) {
-            let all = article.elements();
-            for place in all.iter().filter(|it| it.says("data-figure").is_some()) {
-                let name = place.says("data-figure").unwrap();
-                assert!(place.is("still") && place.is(&name), "{name}");
-                assert!(place.says("aria-label").is_some_and(|seen| seen.len() > 20), "{name}");
-                names.push(name);
-            }
+    let mut places: Vec<(String, String)> = Vec::new();
+    for (_, _, article) in handouts() {
+        let all = article.elements();
+        for place in all.iter().filter(|it| it.says("data-figure").is_some()) {
+            let name = place.says("data-figure").unwrap();
+            let is_said = place.says("aria-label").is_some_and(|seen| seen.len() > 20);
+            assert!(place.is("still") && place.is(&name) && is_said, "{name}");
+            places.push((name, article.says("lang").unwrap()));
         }
-        names.sort();
-        let mut expected = FIGURES.map(|(name, _)| name);
-        expected.sort_unstable();
-        assert_eq!(names, expected);
     }
+    places.sort();
+    let languages = |name: &str| ["en", "pt-BR"].map(|it| (name.to_owned(), it.to_owned()));
+    let mut expected = FIGURES.map(|(name, _)| languages(name)).concat();
+    expected.sort();
+    assert_eq!(places, expected);
     for (name, figure) in FIGURES {
-        let (_, rule) =
-            style.split_once(&format!(".{name} {{")).unwrap_or_else(|| panic!("{name}"));
-        let shape = rule.split_once("aspect-ratio: ").unwrap().1.split(';').next().unwrap();
+        let (_, rule) = style.split_once(&format!(".{name} {{")).expect(name);
+        let shape = rule.split_once("aspect-ratio: ").expect(name).1.split(';').next().unwrap();
         assert_eq!(shape.replace(" / ", "x"), figure().size.to_string(), "{name}");
     }
+}
+
+/// The bytes of a text of which each letter has seven bits.
+fn bytes_of(text: &str) -> Vec<u8> {
+    let bits: Vec<u32> = text
+        .chars()
+        .flat_map(|letter| (0..7).rev().map(move |bit| letter as u32 >> bit & 1))
+        .collect();
+    bits.chunks_exact(8)
+        .map(|bits| bits.iter().fold(0, |byte, bit| 2 * byte + *bit) as u8)
+        .collect()
 }
 
 #[test]
@@ -263,7 +212,9 @@ fn all_of_it_is_there_and_nothing_is_elsewhere() {
         }
     }
     assert!(!HTML.contains("{{") && !HTML.contains("<!--"));
-    let packed = STANDARD.decode(by_id(&ELEMENTS, "wasm").inner).expect("base64");
+    let letters = by_id(&ELEMENTS, "wasm").inner;
+    assert!(!letters.contains(['\0', '\r', '<']), "a browser reads another letter");
+    let packed = bytes_of(letters);
     let mut program = Vec::new();
     GzDecoder::new(&*packed).read_to_end(&mut program).expect("it is packed");
     assert!(program == WASM);

@@ -2,23 +2,10 @@
 
 use tests::prelude::*;
 
-fn size() -> Size {
-    Size::new(320, 180).expect("a size")
-}
-
-fn keys(session: &mut Session, letters: &str) -> Vec<Effect> {
-    let press = |letter| session.handle(Event::Key(Key::Char(letter), false));
-    letters.chars().flat_map(press).collect()
-}
-
 /// A session in a window, with a pinned pixel in the key light's shadow on the floor.
 fn pinned() -> Session {
-    let mut session = Session::new(desk(6, Size::DEFAULT));
-    session.handle(Event::Resize(Size::DEFAULT));
-    let Area { left, top, width, height } = session.picture_area();
-    let (x, y) = (left + 0.34 * width, top + 0.62 * height);
-    session.handle(Event::Press(x, y));
-    session.handle(Event::Release(x, y));
+    let mut session = window(desk(6, Size::DEFAULT));
+    click(&mut session, (0.34, 0.62));
     session
 }
 
@@ -34,24 +21,31 @@ fn point_at(session: &mut Session, equation: &str) -> bool {
 #[test]
 fn a_key_asks_what_if_of_the_line_that_is_pointed_at() {
     let mut session = pinned();
-    let before = pictures_of(session.desk(), size());
-    assert!(point_at(&mut session, "V"), "V is to be read");
-    assert!(keys(&mut session, "W").contains(&Effect::Redraw));
+    let before = pictures_of(session.desk(), size(320, 180));
+    // It is folded away, being no news, until it is gone to.
+    assert!(!point_at(&mut session, "V"));
+    let is_there =
+        |session: &Session| session.desk().line().is_some_and(|line| line.equation == "V");
+    let goes = (0..40).any(|_| {
+        typed(&mut session, "J");
+        is_there(&session)
+    });
+    assert!(goes && point_at(&mut session, "V"), "V is to be read");
+    assert!(typed(&mut session, "W").contains(&Effect::Redraw));
     assert_eq!(session.desk().altered().as_deref(), Some("What if V · key light = 1?"));
     assert_eq!(session.selected(), Some("what-if key light: V"), "its slider is at hand");
-    let mut lit = desk(6, Size::DEFAULT);
-    act(&mut lit, Act::Answer("key: V=1".to_owned()));
-    assert!(pictures_of(session.desk(), size()) == pictures_of(&lit, size()));
+    let lit = after(desk(6, Size::DEFAULT), &[what_if("key: V=1")]);
+    assert!(pictures_of(session.desk(), size(320, 180)) == pictures_of(&lit, size(320, 180)));
     let told = session.desk().explanation().expect("it is pinned");
     let rays =
         told.lines().filter(|line| matches!(line.place, Some(Place::ShadowRay(_, t)) if t < 1.0));
     assert_eq!(rays.count(), 0, "the key light's shadow ray gets to it");
-    session.handle(Event::Key(Key::Left, false));
+    key(&mut session, Key::Left);
     assert_eq!(session.desk().altered().as_deref(), Some("What if V · key light = 0?"));
-    keys(&mut session, "W");
+    typed(&mut session, "W");
     assert_eq!(session.desk().altered(), None);
-    assert!(pictures_of(session.desk(), size()) == before);
-    keys(&mut session, "WG");
+    assert!(pictures_of(session.desk(), size(320, 180)) == before);
+    typed(&mut session, "WG");
     let asked = session.desk().altered().expect("something is");
     assert_eq!(asked, "E se V · luz principal = 1?");
     // As long as it is, the window says so, whatever else is said.
@@ -64,45 +58,47 @@ fn a_key_asks_what_if_of_the_line_that_is_pointed_at() {
         |image: &RgbImage| image.pixels().filter(|pixel| pixel.0 == [255, 150, 70]).count();
     let row = orange(&window(&session));
     assert!(row > 20, "{row}");
-    keys(&mut session, "C");
+    typed(&mut session, "C");
     assert_eq!(orange(&window(&session)), row);
-    session.handle(Event::Key(Key::Home, false));
+    key(&mut session, Key::Home);
     assert_eq!(orange(&window(&session)), 0);
 }
 
 #[test]
 fn a_line_is_shown_by_a_click_and_a_curve_by_a_key() {
     let mut session = pinned();
-    keys(&mut session, "U");
+    typed(&mut session, "U");
     assert!(
         session.desk().curve().is_none()
             && session.note().is_some_and(|note| note.contains("curve"))
     );
     assert!(point_at(&mut session, "I_a"));
     let line = session.desk().line().cloned();
-    keys(&mut session, "Q");
+    typed(&mut session, "Q");
     assert_eq!(session.desk().shown_line().cloned(), line);
     let area = session.picture_area();
-    let effects = keys(&mut session, "U");
+    let effects = typed(&mut session, "U");
     assert!(effects.contains(&Effect::Redraw) && session.desk().has_curve());
     assert!(session.picture_area().height < area.height, "it takes place");
-    keys(&mut session, "J");
+    typed(&mut session, "J");
     assert_ne!(session.desk().line().cloned(), line, "the next line");
-    keys(&mut session, "KQ");
+    typed(&mut session, "KQ");
     assert_eq!(session.desk().shown_line(), None);
     assert!(point_at(&mut session, "L_a = k_a I_a"));
-    keys(&mut session, "Q");
+    typed(&mut session, "Q");
     // What is held, divided and compared is the quantity too.
     for (key, count) in [('D', 2), ('D', 1), ('X', 2), ('X', 1), ('A', 1)] {
-        keys(&mut session, &key.to_string());
+        typed(&mut session, &key.to_string());
         let wanted = session.desk().pictures();
         assert_eq!(wanted.len(), count);
         assert!(wanted.iter().all(|wanted| !std::ptr::addr_eq(wanted.step(), wanted.setup.step())));
     }
     session.handle(Event::KeyUp(Key::Char('A')));
-    for gone in ["the line", "the pin"] {
-        assert!(!session.handle(Event::Key(Key::Escape, false)).contains(&Effect::Quit), "{gone}");
+    for has_pin in [true, false] {
+        key(&mut session, Key::Escape);
+        let desk = session.desk();
+        assert_eq!((desk.shown_line(), desk.pinned().is_some()), (None, has_pin));
     }
-    assert!(session.desk().shown_line().is_none() && session.desk().pinned().is_none());
-    assert!(session.handle(Event::Key(Key::Escape, false)).contains(&Effect::Quit));
+    let said = key(&mut session, Key::Escape);
+    assert_eq!((said, session.note().is_some()), (vec![Effect::Repaint], true), "it never ends");
 }

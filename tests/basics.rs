@@ -4,7 +4,6 @@
 //! slips in a step reads here which law is broken, before all that follows from it. So do its modules.
 
 mod cameras;
-mod exact;
 mod geometry;
 mod loops;
 mod shading;

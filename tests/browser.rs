@@ -5,21 +5,15 @@ use std::io::BufReader;
 use std::io::Read;
 use std::io::Write;
 use std::net::TcpStream;
-use std::path::Path;
-use std::path::PathBuf;
 use std::process::Child;
 use std::process::Stdio;
 use std::sync::LazyLock;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use image::RgbImage;
 use serde_json::Value;
-use serde_json::json;
-use tests::root;
-use tests::run::start;
+use tests::prelude::*;
 
-/// The page, made once.
 pub(crate) static PAGE: LazyLock<PathBuf> = LazyLock::new(|| {
     let page = Path::new(env!("CARGO_TARGET_TMPDIR")).join("class.html");
     let mut make = start(env!("CARGO"));
@@ -111,7 +105,6 @@ impl Browser {
         browser
     }
 
-    /// Shows what an address of the page says.
     pub(crate) fn show(&self, address: &str) {
         self.open(&format!("file://{}{address}", PAGE.display()));
         self.wait_for(DRAWN);
@@ -128,7 +121,6 @@ impl Browser {
         );
     }
 
-    /// Makes the window so large, in CSS pixels.
     pub(crate) fn resize(&self, width: u32, height: u32) {
         let metrics = json!({"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 500});
         self.tell("Emulation.setDeviceMetricsOverride", &metrics);
@@ -145,7 +137,6 @@ impl Browser {
         self.post("/url", &json!({"url": address}));
     }
 
-    /// What `script` returns.
     pub(crate) fn run(&self, script: &str) -> Value {
         self.post("/execute/sync", &json!({"script": script, "args": []}))
     }
@@ -156,13 +147,11 @@ impl Browser {
         self.post("/execute/async", &json!({"script": script, "args": []}))
     }
 
-    /// Waits until something holds.
     pub(crate) fn wait_until(&self, condition: &str) {
         let look = format!("if ({condition}) done(); else requestAnimationFrame(look);");
         self.wait_for(&format!("(function look() {{ {look} }})()"));
     }
 
-    /// The text that `script` returns.
     pub(crate) fn text(&self, script: &str) -> String {
         text(&self.run(script))
     }

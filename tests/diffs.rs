@@ -6,7 +6,6 @@
 //! git does with `-O.diff-order`: the lesson first.
 
 use std::collections::BTreeMap;
-use std::fs;
 
 use similar::Algorithm;
 use similar::ChangeTag;
@@ -43,21 +42,8 @@ pub(crate) fn files(step: &str) -> Files {
     paths.collect()
 }
 
-/// All steps with their files.
 fn all() -> Vec<(&'static str, Files)> {
     STEPS.iter().map(|step| (*step, files(step))).collect()
-}
-
-/// The text of a file, without what two steps never share: in the manifest the crate's name and
-/// description, in `main.rs` the crate's name.
-fn shared(step: &str, path: &str, text: &str) -> String {
-    let own_description = |line: &str| path == "Cargo.toml" && line.starts_with("description = ");
-    let lines = text.split_inclusive('\n').map(|line| match path {
-        _ if own_description(line) => "description = …\n".to_owned(),
-        "Cargo.toml" | "main.rs" => line.replace(step, "STEP"),
-        _ => line.to_owned(),
-    });
-    lines.collect()
 }
 
 /// The place of a file of `src` among those that a diff shows, as `.diff-order` has it, if it has.
@@ -67,7 +53,6 @@ fn place(path: &str) -> Option<usize> {
     names.position(|listed| path.strip_prefix("src/") == Some(listed))
 }
 
-/// What is added and removed, as git finds it.
 fn compared<'a>(old: &'a str, new: &'a str) -> TextDiff<'a, 'a, str> {
     TextDiff::configure().algorithm(Algorithm::Histogram).diff_lines(old, new)
 }
@@ -82,18 +67,13 @@ fn unified_diff(
     sources.sort_by_key(|(path, _)| place(path).unwrap_or(usize::MAX));
     for (path, new) in sources.into_iter().filter(|(path, new)| old.get(*path) != Some(new)) {
         let (before, after) = (format!("{previous}/{path}"), format!("{step}/{path}"));
-        let from = match old.contains_key(path) {
-            true => {
-                text += &format!("diff --git a/{before} b/{after}\n");
-                format!("a/{before}")
-            }
-            false => {
-                text += &format!("diff --git a/{after} b/{after}\nnew file mode 100644\n");
-                "/dev/null".to_owned()
-            }
+        let (first, from, mode) = match old.contains_key(path) {
+            true => (&before, &*format!("a/{before}"), ""),
+            false => (&after, "/dev/null", "new file mode 100644\n"),
         };
+        text += &format!("diff --git a/{first} b/{after}\n{mode}");
         let diff = compared(old.get(path).map_or("", String::as_str), new);
-        text += &diff.unified_diff().header(&from, &format!("b/{after}")).to_string();
+        text += &diff.unified_diff().header(from, &format!("b/{after}")).to_string();
         let changes = diff.iter_all_changes();
         let lines = changes.filter(|change| change.tag() != ChangeTag::Equal).count();
         counts[0] += lines;
@@ -105,6 +85,12 @@ fn unified_diff(
 /// Without them Cargo would build something else than what the diff shows.
 #[test]
 fn manifest_and_main_are_those_of_the_previous_step() {
+    // What two steps never share: the crate's name, and in the manifest its description.
+    let shared = |step: &str, path: &str, text: &str| {
+        let is_own = |line: &str| path == "Cargo.toml" && line.starts_with("description = ");
+        let lines = text.lines().filter(|line| !is_own(line));
+        lines.map(|line| line.replace(step, "STEP") + "\n").collect::<String>()
+    };
     for ((previous, old), (step, new)) in all().iter().zip(all().iter().skip(1)) {
         for (path, text) in new.iter().filter(|(path, _)| !path.starts_with("src/")) {
             let before = old.get(path).map(|text| shared(previous, path, text));
@@ -116,13 +102,10 @@ fn manifest_and_main_are_those_of_the_previous_step() {
     }
 }
 
-fn budgets() -> impl Iterator<Item = [usize; 2]> {
-    BUDGETS.iter().copied().chain(std::iter::repeat(MEDIAN)).take(STEPS.len() - 1)
-}
-
 #[test]
 fn diff_is_the_committed_one_and_within_its_budget() {
-    for (pair, budget) in all().windows(2).zip(budgets()) {
+    let budgets = BUDGETS.iter().chain(std::iter::repeat(&MEDIAN)).take(STEPS.len() - 1);
+    for (pair, budget) in all().windows(2).zip(budgets.clone()) {
         let (previous, step) = (pair[0].0, pair[1].0);
         let (found, lines) = unified_diff(&pair[0], &pair[1]);
         assert!(
@@ -139,23 +122,21 @@ fn diff_is_the_committed_one_and_within_its_budget() {
         }
         let expected = fs::read_to_string(&path).unwrap_or_default();
         let how = compared(&expected, &found).unified_diff().context_radius(0).to_string();
-        let how: Vec<&str> = how.lines().take(20).collect();
         assert!(
             found == expected,
             "the diff from {previous} to {step} is not tests/diffs/{step}.diff:\n{}\nIf the lesson was \
              not meant to change: {RULE}. If it was, run `UPDATE_SNAPSHOTS=1 cargo test -p tests --test \
              handouts diffs` and read that file's own diff.",
-            how.join("\n")
+            how.lines().take(20).collect::<Vec<_>>().join("\n")
         );
     }
     for which in [0, 1] {
-        let mut budgets: Vec<usize> = budgets().map(|budget| budget[which]).collect();
+        let mut budgets: Vec<usize> = budgets.clone().map(|budget| budget[which]).collect();
         budgets.sort_unstable();
         let half = budgets.len() / 2;
         let median = (budgets[half - 1 + budgets.len() % 2] + budgets[half]).div_ceil(2);
-        let largest = budgets[budgets.len() - 1];
-        let most = (LARGEST[which], MEDIAN[which]);
-        assert!(largest <= most.0 && median <= most.1, "{largest} and {median}: at most {most:?}");
+        let found = (budgets[budgets.len() - 1] <= LARGEST[which], median <= MEDIAN[which]);
+        assert_eq!(found, (true, true), "budgets {budgets:?}: at most {LARGEST:?}, {MEDIAN:?}");
     }
     let (last, files) = all().pop().expect("a step");
     let sources = files.iter().filter(|(path, _)| path.starts_with("src/"));
@@ -165,33 +146,31 @@ fn diff_is_the_committed_one_and_within_its_budget() {
 }
 
 /// Whether a line says enough to be told from others by its text.
-fn is_telling(line: &str) -> bool {
+fn is_telling(line: &&str) -> bool {
     line.chars().filter(|char| char.is_alphanumeric()).count() >= 3
 }
 
 /// Lines that are removed in one place of `old` and added in another.
-fn moved(old: &str, new: &str) -> Vec<String> {
+fn moved(old: &str, new: &str) -> String {
     let diff = compared(old, new);
     let lines = |tag| {
         let changes = diff.iter_all_changes().filter(move |change| change.tag() == tag);
-        changes.map(|change| change.value()).filter(|line| is_telling(line))
+        changes.map(|change| change.value()).filter(is_telling)
     };
     let added: Vec<&str> = lines(ChangeTag::Insert).collect();
-    lines(ChangeTag::Delete).filter(|line| added.contains(line)).map(str::to_owned).collect()
+    lines(ChangeTag::Delete).filter(|line| added.contains(line)).collect()
 }
 
 #[test]
 fn no_line_of_the_previous_step_moves_or_leaves_and_comes_back() {
-    let (first, second, third) =
-        ("fn first() {\n    1;\n}\n", "fn second() {\n    2;\n}\n", "fn third() {\n    3;\n}\n");
-    let old = [first, second].concat();
-    let moves = |parts: &[&str]| !moved(&old, &parts.concat()).is_empty();
-    let found = [&[second, first][..], &[first, third], &[first, third, second]].map(moves);
+    let [a, b, c] = [1, 2, 3].map(|number| format!("fn number{number}() {{\n    {number};\n}}\n"));
+    let moves = |parts: &[&str]| !moved(&format!("{a}{b}"), &parts.concat()).is_empty();
+    let found = [&[&*b, &*a][..], &[&a, &c], &[&a, &c, &b]].map(moves);
     assert_eq!(found, [true, false, false], "what is moved is told from what is changed");
     let (steps, mut wrong) = (all(), Vec::new());
     for ((previous, old), (step, new)) in steps.iter().zip(steps.iter().skip(1)) {
         for (path, new) in new {
-            let moved = old.get(path).map_or_else(Vec::new, |old| moved(old, new)).concat();
+            let moved = old.get(path).map_or_else(String::new, |old| moved(old, new));
             if !moved.is_empty() {
                 wrong.push(format!(
                     "{path} of {step} has these lines of {previous} in another order, which makes them \
@@ -203,17 +182,15 @@ fn no_line_of_the_previous_step_moves_or_leaves_and_comes_back() {
     }
     // A line that two steps have and a step between them has not was changed there alone.
     for (path, first) in steps.iter().flat_map(|(_, files)| files) {
-        for line in first.lines().filter(|line| is_telling(line)) {
-            let with_file = steps.iter().filter_map(|(step, files)| {
-                let text = files.get(path)?;
-                Some((*step, text.lines().any(|other| other.trim() == line.trim())))
+        for line in first.lines().map(str::trim).filter(is_telling) {
+            let having = steps.iter().filter_map(|(step, files)| {
+                Some((*step, files.get(path)?.lines().any(|other| other.trim() == line)))
             });
-            let mut with_file = with_file.skip_while(|(_, has)| !has);
-            let without = with_file.find(|(_, has)| !has);
-            if let (Some((without, _)), Some((back, _))) =
-                (without, with_file.find(|(_, has)| *has))
+            let runs: Vec<_> = having.skip_while(|it| !it.1).collect();
+            if let [_, without, back, ..] =
+                &runs.chunk_by(|a, b| a.1 == b.1).collect::<Vec<_>>()[..]
             {
-                let line = line.trim();
+                let (without, back) = (without[0].0, back[0].0);
                 wrong.push(format!("{path} of {without} has not, and {back} has: {line}\n{RULE}"));
             }
         }
@@ -222,9 +199,10 @@ fn no_line_of_the_previous_step_moves_or_leaves_and_comes_back() {
 }
 
 /// What is said of one thing alone never changes, so that a slide is read once; and the slide's sum is
-/// there before there are highlights.
+/// there before there are highlights. A diff opens with its idea, and a student who may copy a scene's
+/// numbers need not see the solution above them.
 #[test]
-fn what_a_hit_is_never_changes_nor_does_the_scene_for_highlights() {
+fn what_a_hit_is_never_changes_and_the_lesson_comes_before_the_stage() {
     let steps = all();
     for name in ["intersection", "light", "render", "sphere", "surface", "triangle"] {
         let path = format!("src/{name}.rs");
@@ -235,21 +213,14 @@ fn what_a_hit_is_never_changes_nor_does_the_scene_for_highlights() {
         }
     }
     assert!(steps[5].1["src/scene.rs"] == steps[6].1["src/scene.rs"], "src/scene.rs: {RULE}");
-}
-
-/// So that a diff opens with its idea, and a student who may copy a scene's numbers need not see the
-/// solution above them.
-#[test]
-fn the_lesson_comes_before_what_holds_it_together_and_the_stage() {
     let late = ["src/lib.rs", "src/controls.rs", "src/lecture_scene.rs"];
     let last = late.map(|late| place(late).expect("it is listed"));
     assert!(last.is_sorted(), "the stage comes last: {last:?}");
-    for (step, files) in all() {
+    for (step, files) in steps {
         for path in files.keys().filter(|path| path.starts_with("src/")) {
-            let place = place(path).unwrap_or_else(|| {
-                panic!("{path} of {step} has no place in .diff-order: it goes before lib.rs")
-            });
-            assert!(place < last[0] || late.contains(&path.as_str()), "{path} comes before lib.rs");
+            let place = place(path).unwrap_or(usize::MAX);
+            let is_placed = place < last[0] || late.contains(&path.as_str());
+            assert!(is_placed, "{path} of {step} has no place in .diff-order before lib.rs");
         }
     }
 }
@@ -261,16 +232,15 @@ fn git_shows_the_same_diffs() {
         let mut git = start("git");
         git.current_dir(root()).env("GIT_CONFIG_GLOBAL", "/dev/null");
         git.env("GIT_CONFIG_NOSYSTEM", "1");
-        git.args(["diff", "-O.diff-order", "--no-index", "--no-ext-diff"]);
+        git.args(words("diff -O.diff-order --no-index --no-ext-diff"));
         git.args([pair[0].0, pair[1].0].map(|step| format!("{step}/src")));
         let found = String::from_utf8(git.output().expect("git runs").stdout).expect("text");
         // It also says what is changed in which function, and names the contents of files.
         let lines = found.lines().filter(|line| !line.starts_with("index "));
-        let lines =
-            lines.map(|line| match line.strip_prefix("@@ ").and_then(|at| at.split_once(" @@")) {
-                Some((at, _)) => format!("@@ {at} @@\n"),
-                None => format!("{line}\n"),
-            });
+        let lines = lines.map(|line| match line.split_once(" @@ ") {
+            Some((at, _)) if at.starts_with("@@ ") => format!("{at} @@\n"),
+            _ => format!("{line}\n"),
+        });
         assert!(lines.collect::<String>() == unified_diff(&pair[0], &pair[1]).0, "git: {found}");
     }
 }

@@ -1,9 +1,6 @@
 //! Solutions of the exercises, right and wrong: `--check` accepts the right ones, refuses the others
 //! and says what is wrong with them.
 
-use std::fs;
-use std::path::Path;
-use std::path::PathBuf;
 use std::process::Command;
 use std::process::Output;
 use std::sync::LazyLock;
@@ -12,14 +9,50 @@ use std::sync::MutexGuard;
 use std::sync::PoisonError;
 
 use exercises::Milestone;
-use tempfile::tempdir;
 use tests::prelude::*;
 
-use crate::solutions::BUT;
-use crate::solutions::Change;
-use crate::solutions::MILESTONES;
-use crate::solutions::RIGHT;
-use crate::solutions::WRONG;
+/// The text of a file that is replaced, and by what.
+pub(crate) type Change = (String, String, String);
+
+pub(crate) fn change(file: &str, from: &str, to: &str) -> Change {
+    (file.to_owned(), from.to_owned(), to.to_owned())
+}
+
+/// A solution of `solutions.txt`.
+struct Solution {
+    kind: String,
+    step: usize,
+    /// What is said of it, as it begins, and a second text.
+    words: [String; 2],
+    changes: Vec<Change>,
+}
+
+fn solutions() -> Vec<Solution> {
+    let text = source("tests/solutions.txt");
+    let blocks = text.split("\n\n").filter(|block| !block.starts_with('#'));
+    let solution = |block: &str| {
+        let mut lines = block.lines();
+        let (head, said) = lines.next().and_then(|it| it.split_once(':')).unwrap_or((block, ""));
+        let (kind, step) = head.lines().next().and_then(|it| it.split_once(' ')).expect(block);
+        let (first, second) = said.split_once("; ").unwrap_or((said, ""));
+        let mut changes: Vec<Change> = Vec::new();
+        for line in block.lines().skip(1) {
+            let text = line.get(2..).unwrap_or_default();
+            match (changes.last_mut(), line.chars().next()) {
+                (Some((_, from, _)), Some('-')) => from.extend([text, "\n"]),
+                (Some((.., to)), Some('+')) => to.extend([text, "\n"]),
+                _ => changes.push(change(line, "", "")),
+            }
+        }
+        for (_, from, to) in &mut changes {
+            from.pop();
+            to.pop();
+        }
+        let words = [first, second].map(|it| it.trim().to_owned());
+        Solution { kind: kind.to_owned(), step: step.parse().expect("a step"), words, changes }
+    };
+    blocks.map(solution).collect()
+}
 
 /// A copy of the steps, with programs of its own.
 pub(crate) struct Copy {
@@ -36,22 +69,17 @@ pub(crate) fn copy() -> MutexGuard<'static, Copy> {
 
 impl Copy {
     fn new() -> Self {
-        let root_of_copy = empty_folder("exercises/steps");
-        let packages = source("Cargo.toml");
-        let steps: Vec<&str> = ["common"].into_iter().chain(STEPS).collect();
-        let lines = packages.lines().map(|line| match line.split_once("members = ") {
-            None => line.to_owned() + "\n",
-            Some((which, _)) => format!("{which}members = {steps:?}\n"),
-        });
-        let packages: String = lines.collect();
-        fs::write(root_of_copy.join("Cargo.toml"), packages).expect("the copy can be written");
-        fs::copy(root().join("Cargo.lock"), root_of_copy.join("Cargo.lock")).expect("a lock file");
-        for package in steps {
-            copy_folder(&root().join(package), &root_of_copy.join(package));
+        let (copied, programs) =
+            (empty_folder("exercises/all"), empty_folder("exercises/programs"));
+        for name in files(root()).into_iter().filter(|name| name != "target" && name != ".git") {
+            match root().join(&name) {
+                folder if folder.is_dir() => copy_folder(&folder, &copied.join(name)),
+                file => drop(fs::copy(file, copied.join(name)).expect("the copy can be written")),
+            }
         }
-        let programs = empty_folder("exercises/programs");
-        let copy = Self { root: root_of_copy, programs };
-        let built = copy.cargo().arg("build").output().expect("cargo runs");
+        let copy = Self { root: copied, programs };
+        let steps = STEPS.iter().flat_map(|step| ["-p", step]);
+        let built = copy.cargo().arg("build").args(steps).output().expect("cargo runs");
         assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
         for step in STEPS {
             let program = copy.target().join("debug").join(step);
@@ -110,97 +138,82 @@ impl Copy {
     }
 }
 
-/// What `--check` has to say of a solution, as it begins.
-#[derive(Default)]
-struct Expected {
-    milestone: &'static str,
-    mistake: &'static str,
-    /// A mistake on the way to the milestone.
-    but: &'static str,
-}
-
-impl Expected {
-    /// Whether `text` says all of it, and nothing else.
-    fn is_said(&self, text: &str) -> bool {
-        let reached: Vec<&str> =
-            text.lines().filter_map(|line| line.strip_prefix("So far so good: ")).collect();
-        let (but, named): (Vec<&str>, Vec<&str>) = text
-            .lines()
-            .filter(|line| line.contains(". Slide «"))
-            .map(|line| line.strip_prefix("Or: ").unwrap_or(line))
-            .partition(|line| line.starts_with("But: "));
-        let are = |said: &[&str], begin: &str| match begin {
-            "" => said.is_empty(),
-            _ => said.iter().any(|line| line.starts_with(begin)),
-        };
-        // A milestone may be taken for a mistake.
-        let named = are(&named, self.mistake) || !reached.is_empty() && self.mistake.is_empty();
-        let but: Vec<&str> = but.iter().filter_map(|line| line.strip_prefix("But: ")).collect();
-        reached.len() < 2 && are(&reached, self.milestone) && named && are(&but, self.but)
-    }
+/// Whether `text` says that a milestone is reached, that there is a mistake, and one on the way to it, as
+/// they begin, and nothing else.
+fn is_said(text: &str, [milestone, mistake, but]: [&str; 3]) -> bool {
+    let after = |begin| text.lines().filter_map(move |line| line.strip_prefix(begin));
+    let reached: Vec<&str> = after("So far so good: ").collect();
+    let buts: Vec<&str> = after("But: ").collect();
+    let named =
+        text.lines().filter(|line| line.contains(". Slide «") && !line.starts_with("But: "));
+    let named: Vec<&str> = named.map(|line| line.strip_prefix("Or: ").unwrap_or(line)).collect();
+    let are = |said: &[&str], begin: &str| match begin {
+        "" => said.is_empty(),
+        _ => said.iter().any(|line| line.starts_with(begin)),
+    };
+    // A milestone may be taken for a mistake.
+    let named = are(&named, mistake) || !reached.is_empty() && mistake.is_empty();
+    reached.len() < 2 && are(&reached, milestone) && named && are(&buts, but)
 }
 
 #[test]
 #[ignore = "builds all steps and some ninety solutions: minutes"]
 fn right_solutions_are_accepted_and_others_refused_with_what_is_known_of_them() {
     let copy = copy();
-    let mut wrong: Vec<String> = Vec::new();
-    let mut judge = |step, changes, code: i32, expected: Expected| {
-        let output = copy.check(step, changes);
+    let (all, mut wrong) = (solutions(), Vec::new());
+    let reached: Vec<&Solution> = all.iter().filter(|it| it.kind == "reaches").collect();
+    for Solution { kind, step, words: [first, second], changes } in &all {
+        let same = reached.iter().find(|it| it.step == *step && it.changes == *changes);
+        let milestone = same.map_or("", |it| &it.words[0]);
+        let expected = match &**kind {
+            "right" => ["", "", ""],
+            "reaches" => [first, "", ""],
+            "but" => [first, "", second],
+            _ => [milestone, first, ""],
+        };
+        let output = copy.check(*step, changes);
         let text = String::from_utf8_lossy(&output.stdout);
-        let fits = output.status.code() == Some(code) && expected.is_said(&text);
+        let code = i32::from(kind != "right");
         let judgement = format!(
-            "{} {step} {changes:?}: {:?}\n    {}\n{}",
-            if fits { "ok " } else { "NOT" },
+            "{step} {changes:?}: {:?}\n    {}\n{}",
             output.status.code(),
             text.lines().take(6).collect::<Vec<_>>().join("\n    "),
             String::from_utf8_lossy(&output.stderr),
         );
         say(&judgement);
-        if !fits {
+        if output.status.code() != Some(code) || !is_said(&text, expected) {
             wrong.push(judgement);
         }
-    };
-    for (step, changes) in RIGHT {
-        judge(*step, changes, 0, Expected::default());
     }
-    let broken = copy.check(6, &[("scene.rs", "let shadow_ray = ", "let shadow_ray: u8 = ")]);
+    let broken = change("scene.rs", "let shadow_ray = ", "let shadow_ray: u8 = ");
+    let broken = copy.check(6, &[broken]);
     let said = String::from_utf8_lossy(&broken.stderr);
     assert!(said.contains("error: step05_diffuse does not compile: "), "{said}");
     assert_eq!((broken.status.code(), &broken.stdout[..]), (Some(1), &[][..]));
-    for (step, changes, mistake) in WRONG {
-        let reached = MILESTONES.iter().find(|it| it.0 == *step && it.2 == *changes);
-        let milestone = reached.map_or("", |it| it.3);
-        judge(*step, changes, 1, Expected { milestone, mistake, but: "" });
-    }
-    for (step, _, changes, milestone) in MILESTONES {
-        judge(*step, changes, 1, Expected { milestone, ..Expected::default() });
-    }
-    let (step, changes, milestone, but) = BUT;
-    judge(step, changes, 1, Expected { milestone, mistake: "", but });
-    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    none(wrong);
 }
 
 #[test]
 fn milestones_are_those_that_handouts_name() {
-    for (step, words, ..) in MILESTONES {
-        let handout = lecture::PROGRAMS[step - 1].handouts[0];
+    let all = solutions();
+    let reached: Vec<&Solution> = all.iter().filter(|it| it.kind == "reaches").collect();
+    for Solution { step, words: [_, said], .. } in &reached {
+        let handout = PROGRAMS[step - 1].handouts[0];
         let (_, exercise) = handout.split_once("\n## Exercise\n").expect("an exercise");
-        let exercise: Vec<&str> = exercise.split_whitespace().collect();
-        let name = STEPS[step - 1];
-        assert!(exercise.join(" ").contains(words), "{name}: its handout does not say: {words}");
+        let is_named = words(exercise).join(" ").contains(said);
+        assert!(is_named, "the handout of step {step} does not say: {said}");
     }
     for milestone in Milestone::ALL {
-        let is_it = |it: &&(usize, &str, &[Change], &str)| {
-            STEPS[it.0 - 1] == milestone.step && milestone.done.starts_with(it.3)
+        let is_it = |it: &&Solution| {
+            STEPS[it.step - 1] == milestone.step && milestone.done.starts_with(&it.words[0])
         };
-        assert!(MILESTONES.iter().any(|it| is_it(&it)), "not tried: {milestone:?}");
+        assert!(reached.iter().any(is_it), "not tried: {milestone:?}");
     }
 }
 
 /// What each ray of a solution does before it is traced.
-const fn before_each_ray(line: &'static str) -> Change {
-    ("render.rs", "let color = trace(&ray);", line)
+fn before_each_ray(line: &str) -> Change {
+    change("render.rs", "let color = trace(&ray);", line)
 }
 
 #[test]
@@ -302,4 +315,29 @@ fn a_step_checks_its_own_pixel_loop() {
     assert!(text.starts_with("done: the pixel loop of step02_sphere is right in all "), "{text}");
     assert_eq!(checked.status.code(), Some(0));
     assert!(files(folder.path()).is_empty(), "nothing differs, so nothing is written");
+}
+
+/// One line, a catalogue, the handouts and the way through the slides.
+#[test]
+#[ignore = "builds the lecture: minutes"]
+fn a_third_language_is_one_line_and_its_texts() {
+    let copy = copy();
+    let write = |path: &str, text: String| {
+        fs::write(copy.root.join(path), text).expect("the copy can be written");
+    };
+    let list = "common/show/src/language.rs";
+    let known = source(list);
+    assert_eq!(known.matches("\"pt-BR\" }").count(), 1, "the only list of them");
+    write(list, known.replace("\"pt-BR\" }", "\"pt-BR\" \"x-made-up\" }"));
+    let texts = "msgid \"viewing ray\"\nmsgstr \"yar gniweiv\"\n";
+    write("common/show/src/x-made-up.po", texts.to_owned());
+    write("lecture/tour/x-made-up.md", source("lecture/tour/en.md"));
+    for step in STEPS {
+        write(&format!("{step}/README.x-made-up.md"), source(format!("{step}/README.md")));
+    }
+    let mut lecture = copy.cargo();
+    lecture.args(words("run -p lecture -- --language x --pixel 9,9"));
+    let output = lecture.env("LC_ALL", "pt_BR").output().expect("cargo runs");
+    let said = [output.stdout, output.stderr].map(|it| String::from_utf8_lossy(&it).into_owned());
+    assert!(output.status.success() && said[0].contains("yar gniweiv"), "{said:?}");
 }

@@ -1,13 +1,11 @@
 //! A pixel is explained by what was computed, and each line leads to the next.
 
+mod code;
 mod equation;
 mod quantities;
 mod sheet;
 mod telling;
 
-use fastrand::Rng;
-use rayon::iter::IntoParallelIterator;
-use rayon::iter::ParallelIterator;
 use sheet::Moved;
 use sheet::Sheet;
 use sheet::blocker;
@@ -21,12 +19,9 @@ const HEIGHT: usize = 36;
 /// How many settings are tried, and how many pixels of each.
 const TRIED: (usize, usize) = (100, 10);
 
-/// The widest line of a terminal in class.
-const LONGEST: usize = 100;
-
 /// The colour that is told to be seen: by a hit, by weights, or else by the light that is added.
 fn seen(step: &str, explanation: &Explanation) -> Option<Color> {
-    let number = |symbol| tests::laws::number(explanation, symbol);
+    let number = |symbol| number(explanation, symbol);
     let hit = !explanation.lines().any(|line| matches!(line.value, Value::Word(_)));
     match step {
         "step02_sphere" => Some(Color::splat(f32::from(u8::from(hit)))),
@@ -41,20 +36,17 @@ fn seen(step: &str, explanation: &Explanation) -> Option<Color> {
     }
 }
 
-/// No line is long, and numbers and words begin in the same columns, in digits enough to go on with.
+/// No line is too long for a terminal in class, and numbers and words begin in the same columns, in digits
+/// enough to go on with.
 fn reads_well(step: &str, explanation: &Explanation) {
     let text = written(explanation);
     for line in text.lines() {
-        let length = line.chars().count();
-        assert!(
-            length <= LONGEST && line.trim_end() == line,
-            "{step}: {length} characters, at most {LONGEST}, none blank at the end:\n{line}"
-        );
-        let (name, value): (String, String) =
-            (line.chars().take(49).collect(), line.chars().skip(49).collect());
-        if line.starts_with("  ") && !value.is_empty() {
-            let column = value.starts_with([' ', '-']) && !value[1..].starts_with(' ');
-            assert!(column && name.ends_with(' '), "{step}: a value left its column:\n{text}");
+        let is_short = line.chars().count() <= 100 && line.trim_end() == line;
+        assert!(is_short, "{step}: more than 100 characters, or blanks at the end:\n{line}");
+        let (name, value): (Vec<_>, Vec<_>) = line.chars().enumerate().partition(|at| at.0 < 49);
+        if let ([(_, ' '), (_, ' '), ..], [(_, sign), (_, digit), ..]) = (&name[..], &value[..]) {
+            let column = [' ', '-'].contains(sign) && *digit != ' ' && name[48].1 == ' ';
+            assert!(column, "{step}: a value left its column:\n{text}");
         }
     }
     let [r, g, b] = encode(explanation.color).map(|code| code.to_string());
@@ -99,8 +91,7 @@ fn check_step(index: usize) {
             if seen(name, &told) != Some(drawn[col]) {
                 fail("the lines lead to another colour");
             }
-            let [u, v] =
-                ["u", "v"].map(|symbol| tests::laws::number(&told, symbol).expect("a ray"));
+            let [u, v] = ["u", "v"].map(|symbol| number(&told, symbol).expect("a ray"));
             let ray = camera.generate_ray(u, v);
             let parts = [("p", ray.origin), ("d", ray.direction)];
             if parts.iter().any(|(symbol, value)| told.value(symbol) != Some((*value).into())) {
@@ -114,18 +105,19 @@ fn check_step(index: usize) {
 
 #[test]
 fn who_is_said_to_be_in_a_lights_way_is() {
-    for index in [5, 6] {
-        let blocked_by = |name: &str, value: &str| {
+    for (index, name) in STEPS.into_iter().enumerate().skip(5) {
+        for (control, value, expected) in [
+            ("green.radius", "0.6", &["green sphere"][..]),
+            ("green.radius", "0.1", &[]),
+            ("epsilon", "1", &[]),
+        ] {
             let mut setup = setup(index);
-            setup.set(name, value).expect("it is taken");
+            setup.set(control, value).expect("it is taken");
             // On the floor, where the green sphere's shadow of the key light ends.
-            let pixel = Pixel { col: 240, row: 420, width: 960, height: 540 };
-            let told = setup.step().explain(&*setup.view().camera(960.0 / 540.0), pixel);
+            let told = explained(&setup, (240, 420), Size::DEFAULT);
             let lit = told.scope("illumination").expect("it is lit");
-            lit.scopes().filter_map(blocker).collect::<Vec<_>>()
-        };
-        assert_eq!(blocked_by("green.radius", "0.6"), ["green sphere"], "{}", STEPS[index]);
-        assert_eq!(blocked_by("green.radius", "0.1"), [""; 0], "{}: smaller", STEPS[index]);
-        assert_eq!(blocked_by("epsilon", "1"), [""; 0], "{}: no shadows", STEPS[index]);
+            let blockers: Vec<&str> = lit.scopes().filter_map(blocker).collect();
+            assert_eq!(blockers, expected, "{name}: {control}={value}");
+        }
     }
 }

@@ -4,11 +4,7 @@
 //! `UPDATE_SNAPSHOTS=1 cargo test -p tests --test programs figures` makes the committed ones anew.
 
 use std::ffi::OsStr;
-use std::path::PathBuf;
 
-use lecture::FIGURES;
-use rayon::iter::IntoParallelRefIterator;
-use rayon::iter::ParallelIterator;
 use tests::prelude::*;
 
 /// The names of the files in `folder` of a step, without their extension, in order; a step without
@@ -21,7 +17,6 @@ fn names(step: &str, folder: &str) -> Vec<String> {
     names
 }
 
-/// Every figure, with its step.
 fn figures() -> Vec<(&'static str, String)> {
     let of = |step| names(step, "examples").into_iter().map(move |name| (step, name));
     STEPS.into_iter().flat_map(of).collect()
@@ -50,7 +45,6 @@ fn pictures() -> Vec<(&'static str, String, String, String)> {
     figures().into_iter().map(figure).chain(TOLD.map(told)).collect()
 }
 
-/// What a figure's Portuguese picture is called.
 fn in_portuguese(name: &str) -> String {
     format!("{name}.pt-BR")
 }
@@ -120,35 +114,32 @@ fn object_order_and_image_order_give_the_same_picture() {
 /// word a pixel is explained by its colour.
 #[test]
 fn a_figure_has_sizes_controls_and_pixels_as_a_step_has() {
-    figures().par_iter().for_each(|(_, name)| {
-        let figure = format!("examples/{name}");
-        for (width, height) in [(1, 1), (1, 300), (300, 1), (37, 23)] {
-            let picture = drawn(&figure, &format!("-s {width}x{height}"));
-            assert_eq!(picture.dimensions(), (width, height), "{name}");
-        }
-        let (_, program) = FIGURES.iter().find(|(known, _)| known == name).expect("it is listed");
-        let setup = Setup::new(program().make);
-        let picture = |setup: &Setup, width: usize, height: usize| {
-            let mut picture = picture_of(setup, width, height);
-            let camera = setup.view().camera(width as f32 / height as f32);
-            setup.draw_over(&*camera, &mut picture);
+    FIGURES.par_iter().for_each(|(name, program)| {
+        let picture = |setup: &Setup, size: Size| {
+            let mut picture = picture_of(setup, size.width(), size.height());
+            setup.draw_over(&*setup.view().camera(size.aspect()), &mut picture);
             picture
         };
-        let before = picture(&setup, 200, 120);
+        let setup = Setup::new(program().make);
+        for (width, height) in [(1, 1), (1, 300), (300, 1), (37, 23)] {
+            let found = drawn(&format!("examples/{name}"), &format!("-s {width}x{height}"));
+            assert!(found == picture(&setup, size(width, height)), "{name}: {width}x{height}");
+        }
+        let before = picture(&setup, size(200, 120));
         // Not those of the camera, which a plot has no use for.
         for setting in setup.list().into_iter().filter(|it| it.control.group != "camera") {
             let mut changed = setup.carried_to(program().make);
             let end = if setting.control.fraction() == 1.0 { 0.0 } else { 1.0 };
             changed.set_fraction(&setting.name, end);
-            assert!(picture(&changed, 200, 120) != before, "{name}: {} at {end}", setting.name);
+            let moved = picture(&changed, size(200, 120)) != before;
+            assert!(moved, "{name}: {} at {end}", setting.name);
         }
         // What `rays` shows is all drawn.
-        let (width, height) = (400, 240);
-        let (picture, camera) = (picture(&setup, width, height), setup.view().camera(5.0 / 3.0));
+        let (large, picture) = (size(400, 240), picture(&setup, size(400, 240)));
         for (col, row) in [(7, 195), (90, 110), (190, 50), (293, 105), (399, 239)] {
-            let told = setup.step().explain(&*camera, Pixel { col, row, width, height });
+            let told = encode(explained(&setup, (col, row), large).color);
             let found = picture.get_pixel(col as u32, row as u32).0;
-            assert!(name == "rays" || encode(told.color) == found, "{name}, ({col}, {row})");
+            assert!(*name == "rays" || told == found, "{name}, ({col}, {row})");
         }
     });
 }

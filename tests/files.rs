@@ -1,7 +1,6 @@
 //! What is read and written: a picture is there as a whole or not at all, and nothing else is.
 
 use std::ffi::OsStr;
-use std::fs;
 use std::fs::File;
 use std::io::Cursor;
 use std::io::Read;
@@ -9,14 +8,10 @@ use std::io::Write;
 use std::path::Path;
 use std::process::Output;
 use std::process::Stdio;
-use std::thread;
-use std::time::Duration;
-use std::time::Instant;
 
 use flate2::Crc;
 use image::ImageFormat;
 use tempfile::TempDir;
-use tempfile::tempdir;
 use tests::prelude::*;
 
 const STEP: &str = STEPS[6];
@@ -30,7 +25,6 @@ fn folder() -> TempDir {
 
 const OLD: &str = "the old file";
 
-/// What the step does with a small picture, in a folder.
 fn run(folder: &Path, arguments: &[impl AsRef<OsStr>]) -> Output {
     command(STEP, folder).args(["-s", "16x9"]).args(arguments).output().expect("it runs")
 }
@@ -47,22 +41,23 @@ fn assert_failed(folder: &Path, output: &Output, beginning: &str, end: &str) {
     assert_eq!(fs::read_to_string(folder.join("old.png")).expect("it is there"), OLD);
 }
 
-/// Rendered without a program.
 fn expected() -> RgbImage {
     picture_of(&setup(6), 16, 9)
 }
 
 #[test]
 fn a_picture_that_cannot_be_written_is_a_failure_in_one_line() {
-    let elsewhere = "; choose another file or folder";
-    let create = "; create it or choose another";
+    let (elsewhere, create) = ("; choose another file or folder", "; create it or choose another");
     let [here, above] = [".", ".."]
         .map(|path| format!("such as {}", Path::new(path).join("picture.png").display()));
+    let long = format!("{}.png", "a".repeat(300));
+    let long_line = format!("cannot write {long}: ");
     let mut table = vec![
         (".", ". is a folder: ", here.as_str()),
         ("..", ".. is a folder: ", above.as_str()),
         ("a/b.png", "cannot write a/b.png: there is no folder a", create),
         ("old.png/a.png", "cannot write old.png/a.png: there is no folder old.png", create),
+        (&long, &long_line, elsewhere),
     ];
     // To Windows a/.. is this folder, and a last slash nothing.
     if cfg!(unix) {
@@ -74,9 +69,6 @@ fn a_picture_that_cannot_be_written_is_a_failure_in_one_line() {
         table.push(("/proc/a.png", "cannot write /proc/a.png: ", elsewhere));
         table.push(("/dev/full", "cannot write /dev/full: the disk is full", elsewhere));
     }
-    let long = format!("{}.png", "a".repeat(300));
-    let long_line = format!("cannot write {long}: ");
-    table.push((&long, &long_line, elsewhere));
     for (path, beginning, end) in table {
         let folder = folder();
         assert_failed(folder.path(), &run(folder.path(), &["-o", path]), beginning, end);
@@ -90,31 +82,13 @@ fn a_picture_that_cannot_be_written_is_a_failure_in_one_line() {
     assert_failed(folder.path(), &output, "old.png is read-only: ", "choose another name");
 }
 
-/// To render it first would take hours.
-#[test]
-fn a_wrong_destination_is_refused_before_the_picture_is_rendered() {
-    let folder = folder();
-    let mut program = command(STEP, folder.path());
-    let program = program.args(["-s", "10000x10000", "--samples", "16", "-o", "a/b.png"]);
-    let mut child = program.stderr(Stdio::piped()).spawn().expect("it runs");
-    let start = Instant::now();
-    while child.try_wait().expect("a child").is_none() && start.elapsed().as_secs() < 20 {
-        thread::sleep(Duration::from_millis(1));
-    }
-    let _ = child.kill();
-    let output = child.wait_with_output().expect("it ended");
-    assert_failed(folder.path(), &output, "cannot write a/b.png: there is no folder a", "");
-}
-
 #[test]
 fn a_file_is_replaced_in_one_stroke_and_may_have_any_name() {
     let long = format!("{}.png", "a".repeat(251));
     let mut names = vec!["Bild größer 图片 🖼.png", "no_extension", "A.PNG", ".hidden", "./-s.png"];
     names.extend(["old.png", &long]);
     // Windows refuses such a name.
-    if cfg!(unix) {
-        names.push("'\"$(x)`*?.png");
-    }
+    names.extend(cfg!(unix).then_some("'\"$(x)`*?.png"));
     for name in names {
         let folder = folder();
         let mut reader = File::open(folder.path().join("old.png")).expect("it is there");
@@ -184,6 +158,11 @@ fn links_and_permissions_stay_and_a_full_disk_leaves_the_old_file() {
     let mut shell = shell(script, STEP, folder.path());
     let output = shell.args(["-s", "960x540", "-o", "old.png"]).output().expect("sh runs");
     assert_failed(folder.path(), &output, "cannot write old.png: ", "another file or folder");
+    // Before a picture is rendered, which would take hours.
+    let mut shell = tests::run::shell(r#"ulimit -t 20; exec "$0" "$@""#, STEP, folder.path());
+    shell.args(words("-s 10000x10000 --samples 16 -o a/b.png"));
+    let output = shell.output().expect("sh runs");
+    assert_failed(folder.path(), &output, "cannot write a/b.png: there is no folder a", "");
     #[cfg(target_os = "linux")]
     {
         let output = run(folder.path(), &["-o", "/dev/stdout"]);
@@ -287,18 +266,25 @@ fn what_is_no_picture_is_refused_in_one_line() {
     }
     // Before one is rendered.
     let folder = folder();
-    let path = input.path().join("wide.png").display().to_string();
-    let compare = ["-s", "1x100000", "--compare", &path, "-o", "old.png"];
-    let output = command(STEP, folder.path()).args(compare).output().expect("it runs");
+    let compared = |arguments: &str| run_in(folder.path(), STEP, &words(arguments));
+    let wide = input.path().join("wide.png");
+    let output = compared(&format!("-s 1x100000 --compare {} -o old.png", wide.display()));
     let beginning = "side by side they take 300000x100000 pixels, so leave --output away";
     assert_failed(folder.path(), &output, beginning, "100 million in all");
-    // Another size is a difference and no failure.
     expected().save(folder.path().join("a.png")).expect("written");
-    let compare = ["-s", "9x16", "--compare", "a.png", "-o", "both.png"];
-    let output = command(STEP, folder.path()).args(compare).output().expect("it runs");
+    for (output, status) in [("none/b.png", 1), (".", 1), ("a.png", 2), ("./a.png", 2)] {
+        let output = compared(&format!("-s 16x9 --compare a.png -o {output}"));
+        assert_eq!(output.status.code(), Some(status), "{}", only_line(&output));
+        assert!(output.stdout.is_empty() && files(folder.path()) == ["a.png", "old.png"]);
+    }
+    assert_eq!(compared("-s 16x9 --compare a.png -o b.png").status.code(), Some(0));
+    // Another size is a difference and no failure.
+    let output = compared("-s 9x16 --compare a.png -o both.png");
     assert!(only_line(&output).starts_with(STEP) && output.status.code() == Some(1));
     let found = String::from_utf8_lossy(&output.stdout);
     let expected = "a.png: the size is 16x9, and 9x16 was expected; add --size 16x9\n";
     assert_eq!(found, expected);
-    assert_eq!(read_picture(&folder.path().join("both.png")).dimensions(), (3 * 16, 16));
+    let sizes =
+        ["b.png", "both.png"].map(|file| read_picture(&folder.path().join(file)).dimensions());
+    assert_eq!(sizes, [(3 * 16, 9), (3 * 16, 16)], "three side by side");
 }

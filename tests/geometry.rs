@@ -78,6 +78,16 @@ fn a_sphere_is_hit_where_it_is() {
         let intersect = |ray: &Ray, t_min, t_max| ball.intersect(ray, t_min, t_max, &Silent);
         meets(intersect, &ray, expected, &format!("{why}: {ball:?}"));
     }
+    // Far away from a small one, b² − a c has no digits left of the radius.
+    for (radius, far) in [(1e-3, 10.0), (1e-2, 1e3), (1.0, 1e4), (1e3, 1e6)] {
+        for (beside, is_hit) in
+            [(0.0, true), (0.6, true), (0.99, true), (1.01, false), (2.0, false)]
+        {
+            let ray = Ray::new(Vec3::new(beside * radius, 0.0, far), Vec3::NEG_Z);
+            let found = around(radius).intersect(&ray, 0.0, f32::INFINITY, &Silent);
+            assert_eq!(found.is_some(), is_hit, "{beside} of {radius}, {far} away");
+        }
+    }
     let point = around(0.0).intersect(&down(0.0, 0.0), 0.0, f32::INFINITY, &Silent);
     let normal = point.expect("a point is met by its ray").normal;
     assert!(normal.is_nan(), "a point has no normal, but {normal}");

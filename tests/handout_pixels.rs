@@ -1,7 +1,6 @@
 //! What handouts say of pixels is so: what is to be seen there, and what `--pixel` tells of them.
 
 use std::cmp::Ordering;
-use std::path::Path;
 
 use tests::prelude::*;
 
@@ -9,59 +8,19 @@ use crate::readme::Part;
 use crate::readme::comments;
 use crate::readme::languages;
 use crate::readme::originals;
-use crate::set_up;
 
-/// What a handout says is seen under «Try this»: with the settings `after`, and not with those
-/// `before`, pixels of 960 × 540 are brighter, darker or the same.
-struct Seen<'a> {
-    before: &'a str,
-    after: &'a str,
-    pixels: Vec<(usize, usize, Ordering)>,
-}
-
-/// How the English handout says it, in a comment, which no reader sees.
+/// How the English handout says what is seen under «Try this», in a comment, which no reader sees: with
+/// some settings pixels of 960 × 540 are brighter, darker or the same.
 const SEEN: &str = "<!-- --set NAME=VALUE: COL,ROW brighter, COL,ROW darker, COL,ROW same -->, \
     or with other settings than the start's before a ';'";
 
 /// How it says what a pixel tells, in the words that are printed.
 const TELLS: &str = "<!-- --set NAME=VALUE --pixel X,Y tells LINE; LINE -->";
 
-/// Reads what is said to be [`SEEN`].
-fn seen(comment: &str) -> Option<Seen<'_>> {
-    let (settings, pixels) = comment.split_once(": ")?;
-    let (before, after) = settings.split_once("; ").unwrap_or(("", settings));
-    let mut flags = [before, after].into_iter().flat_map(|all| all.split_whitespace().step_by(2));
-    let pixels = pixels.split(", ").map(|pixel| {
-        let (place, found) = pixel.split_once(' ')?;
-        let found = match found {
-            "brighter" => Ordering::Greater,
-            "darker" => Ordering::Less,
-            "same" => Ordering::Equal,
-            _ => return None,
-        };
-        let (col, row) = place_of(place)?;
-        (col < 960 && row < 540).then_some((col, row, found))
-    });
-    let pixels = pixels.collect::<Option<_>>()?;
-    let known = !after.is_empty() && flags.all(|flag| ["--set", "--camera"].contains(&flag));
-    known.then_some(Seen { before, after, pixels })
-}
-
-/// `X,Y` as two numbers.
-fn place_of(place: &str) -> Option<(usize, usize)> {
-    let (col, row) = place.split_once(',')?;
-    Some((col.parse().ok()?, row.parse().ok()?))
-}
-
-/// What a step says of a pixel with these arguments: `--pixel`, and what is set, and how large the
-/// picture is.
+/// What a step says of a pixel with these arguments.
 fn explanation(index: usize, arguments: &str) -> Explanation {
-    let setup = set_up(index, arguments);
-    let after = |flag| arguments.split_whitespace().skip_while(|word| *word != flag).nth(1);
-    let size = after("-s").map_or(Size::DEFAULT, |size| size.parse().expect("a size"));
-    let (col, row) = after("--pixel").and_then(place_of).expect("a pixel");
-    let (width, height) = (size.width(), size.height());
-    setup.step().explain(&*setup.view().camera(size.aspect()), Pixel { col, row, width, height })
+    let desk = after(Desk::new(programs(), index), &acts_of(arguments));
+    desk.explanation().expect("a pixel")
 }
 
 /// The lines of what [`explanation`] gives, in the language that is spoken, their words one space apart.
@@ -70,40 +29,34 @@ fn told(index: usize, arguments: &str) -> Vec<String> {
 }
 
 fn spaced(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
+    words(text).join(" ")
 }
 
-/// What is wrong with what an item of «Try this» says is seen in a step.
-fn wrong_in_item(index: usize, item: &[Part]) -> Vec<String> {
-    let (mut said, mut wrong) = (Vec::new(), Vec::new());
-    for comment in comments(item).filter(|comment| !comment.contains(" tells ")) {
-        match seen(comment) {
-            Some(seen) => said.push(seen),
-            None => wrong.push(format!("malformed: {comment}; it has to be {SEEN}")),
+/// What is wrong with a comment that says what is [`SEEN`] in a step; none when it is no such comment.
+fn wrong_in(index: usize, comment: &str) -> Option<Vec<String>> {
+    let (settings, seen) = comment.split_once(": ")?;
+    let (before, after) = settings.split_once("; ").unwrap_or(("", settings));
+    let mut flags = [before, after].into_iter().flat_map(|all| all.split_whitespace().step_by(2));
+    let is_known = !after.is_empty() && flags.all(|flag| ["--set", "--camera"].contains(&flag));
+    let mut wrong = Vec::new();
+    for pixel in seen.split(", ") {
+        let (place, found) = pixel.split_once(' ').filter(|_| is_known)?;
+        let expected = match found {
+            "brighter" => Ordering::Greater,
+            "darker" => Ordering::Less,
+            "same" => Ordering::Equal,
+            _ => return None,
+        };
+        let [old, new] = [before, after].map(|settings| {
+            encode(explanation(index, &format!("{settings} --pixel {place}")).color)
+        });
+        let light = |pixel: [u8; 3]| pixel.iter().map(|code| u32::from(*code)).sum::<u32>();
+        let found = light(new).cmp(&light(old));
+        if found != expected || (found == Ordering::Equal && old != new) {
+            wrong.push(format!("{after}: {place} went from {old:?} to {new:?}"));
         }
     }
-    for part in item {
-        if let Part::Code(code) = part
-            && ["--set", "--camera"].iter().any(|flag| code.starts_with(flag))
-            && !code.contains("--pixel")
-            && !said.iter().any(|seen| seen.after == code)
-        {
-            wrong.push(format!("its item has no comment on what is seen with {code}: {SEEN}"));
-        }
-    }
-    for Seen { before, after, pixels } in said {
-        for (col, row, expected) in pixels {
-            let [old, new] = [before, after].map(|settings| {
-                encode(explanation(index, &format!("{settings} --pixel {col},{row}")).color)
-            });
-            let light = |pixel: [u8; 3]| pixel.iter().map(|code| u32::from(*code)).sum::<u32>();
-            let found = light(new).cmp(&light(old));
-            if found != expected || (found == Ordering::Equal && old != new) {
-                wrong.push(format!("{after}: {col},{row} went from {old:?} to {new:?}"));
-            }
-        }
-    }
-    wrong
+    Some(wrong)
 }
 
 #[test]
@@ -113,7 +66,20 @@ fn what_is_to_be_seen_is_seen_and_what_a_pixel_tells_is_told() {
         let Some(index) = readme.step() else { continue };
         let mut fail = |what: String| wrong.push(format!("{}: {what}", readme.name()));
         for item in readme.section("Try this").split(|part| *part == Part::ListItem) {
-            wrong_in_item(index, item).into_iter().for_each(&mut fail);
+            let said: Vec<&str> = comments(item).filter(|it| !it.contains(" tells ")).collect();
+            for comment in &said {
+                let malformed = || vec![format!("malformed: {comment}; it has to be {SEEN}")];
+                wrong_in(index, comment).unwrap_or_else(malformed).into_iter().for_each(&mut fail);
+            }
+            let is_set = |code: &&str| code.starts_with("--set") || code.starts_with("--camera");
+            let codes = item.iter().filter(|part| matches!(part, Part::Code(_)));
+            let codes = codes.filter_map(Part::text).filter(is_set);
+            for code in codes.filter(|code| !code.contains("--pixel")) {
+                let (alone, later) = (format!("{code}: "), format!("; {code}: "));
+                if !said.iter().any(|it| it.starts_with(&alone) || it.contains(&later)) {
+                    fail(format!("its item has no comment on what is seen with {code}: {SEEN}"));
+                }
+            }
         }
         let tells = comments(&readme.parts).filter_map(|comment| comment.split_once(" tells "));
         let tells: Vec<(&str, &str)> = tells.collect();
@@ -152,12 +118,11 @@ fn what_is_quoted_of_a_pixel_is_told_in_each_language() {
     for (number, arguments, quoted) in QUOTED {
         for ((language, file), (line, prose)) in languages().into_iter().zip(quoted) {
             language.speak();
-            let path = Path::new(STEPS[number - 1]).join(file);
+            let path = format!("{}/{file}", STEPS[number - 1]);
             let handout = source(&path);
             let told = told(number - 1, arguments).iter().any(|told| told == line);
             let said = spaced(&handout).contains(prose);
             if !told || !said || !handout.contains(&format!("`{arguments}`")) {
-                let path = path.display();
                 wrong.push(format!("{path}, {arguments}: {line} {told}, {prose} {said}"));
             }
         }

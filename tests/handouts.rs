@@ -6,11 +6,8 @@ mod handout_commands;
 mod handout_pixels;
 mod readme;
 mod style;
+mod tours;
 
-use std::collections::BTreeSet;
-use std::path::Path;
-
-use lecture::programs;
 use pulldown_cmark::HeadingLevel;
 use readme::Part;
 use readme::Readme;
@@ -19,22 +16,6 @@ use readme::left_to_the_reader;
 use readme::originals;
 use readme::readmes;
 use tests::prelude::*;
-
-/// The setup of a step with what `arguments` set.
-fn set_up(index: usize, arguments: &str) -> Setup {
-    let mut setup = setup(index);
-    let mut words = arguments.split_whitespace();
-    while let Some(flag) = words.next() {
-        let value = words.next().unwrap_or("");
-        let (name, value) = match flag {
-            "--camera" => ("camera", value),
-            "--set" => value.split_once('=').unwrap_or_else(|| panic!("{arguments}: NAME=VALUE")),
-            _ => continue,
-        };
-        setup.set(name, value).unwrap_or_else(|error| panic!("{arguments}: {error}"));
-    }
-    setup
-}
 
 /// The `#name` that git hosts give a heading.
 fn anchor(heading: &str) -> String {
@@ -63,10 +44,8 @@ fn every_link_picture_slide_and_file_is_there() {
             let (file, name) = link.split_once('#').unwrap_or((link, ""));
             let folder = readme.path.parent().expect("a file is in a folder");
             let path = if file.is_empty() { readme.path.clone() } else { folder.join(file) };
-            let has_anchor = || {
-                let is_it = |part: &Part| matches!(part, Part::Heading(_, heading) if anchor(heading) == name);
-                Readme::read(&path).parts.iter().any(is_it)
-            };
+            let is_it = |part: &Part| matches!(part, Part::Heading(_, it) if anchor(it) == name);
+            let has_anchor = || Readme::read(&path).parts.iter().any(is_it);
             if !root().join(&path).exists() || !(name.is_empty() || has_anchor()) {
                 fail(format!("{link} leads nowhere"));
             }
@@ -79,30 +58,25 @@ fn every_link_picture_slide_and_file_is_there() {
                 Part::Html(html) if html.contains("src=") || html.contains("href=") => {
                     fail(format!("{html} is not Markdown"));
                 }
-                Part::Fence(language, _) if ["sh", "diff", "rust"].contains(&language.as_str()) => {
-                }
-                // The layout.
-                Part::Fence(language, text) if language == "text" => {
-                    let paths = commands(text).filter(|path| *path != "…");
-                    paths
-                        .filter(|path| !root().join(path).exists())
-                        .for_each(|path| fail(format!("no {path}")));
-                }
-                // What programs print stands in no block: it would be another in each language.
-                Part::Fence(language, text) => fail(format!("what is {language:?}? {text}")),
+                // What programs print stands in no block: it would be another in each language. A text is
+                // the layout.
+                Part::Fence(language, text) => match &**language {
+                    "sh" | "diff" | "rust" => {}
+                    "text" => commands(text)
+                        .filter(|path| *path != "…" && !root().join(path).exists())
+                        .for_each(|path| fail(format!("no {path}"))),
+                    _ => fail(format!("what is {language:?}? {text}")),
+                },
                 _ => {}
             }
         }
-        for text in readme.texts() {
-            let is_capital = |part: &str| {
-                part.contains(|letter: char| letter.is_ascii_uppercase())
-                    && !part.contains(|letter: char| letter.is_lowercase())
-            };
-            let left = text.split_whitespace().find(|word| {
-                let all_capital = word.contains('_') && word.split('_').all(is_capital);
-                all_capital || word.contains(['{', '}']) || ["TODO", "XXX"].contains(word)
-            });
-            left.iter().for_each(|word| fail(format!("{word} is left to be filled in")));
+        for word in readme.texts().flat_map(str::split_whitespace) {
+            let is_capital =
+                |part: &str| !part.is_empty() && part.chars().all(|it| it.is_ascii_uppercase());
+            let all_capital = word.contains('_') && word.split('_').all(is_capital);
+            if all_capital || word.contains(['{', '}']) || ["TODO", "XXX"].contains(&word) {
+                fail(format!("{word} is left to be filled in"));
+            }
         }
     }
     none(wrong);
@@ -125,8 +99,8 @@ fn steps_are_the_same_everywhere() {
     }
     // What stands beside the picture.
     for (index, program) in programs().into_iter().enumerate() {
-        let Program { name, concept, slides, diff, idea, .. } = program;
-        assert_eq!((name, diff.is_empty()), (STEPS[index], index == 0));
+        let Program { name, concept, slides, code, idea, .. } = program;
+        assert_eq!((name, code.is_empty()), (STEPS[index], false));
         assert!(!concept.is_empty() && slides.starts_with('«') && slides.ends_with('»'), "{name}");
         let between: String =
             slides.split('«').map(|part| part.split_once('»').unwrap_or(("", part)).1).collect();
@@ -135,10 +109,11 @@ fn steps_are_the_same_everywhere() {
         let (equations, words): (Vec<&str>, Vec<&str>) =
             rest.lines().filter(|line| !line.is_empty()).partition(|line| line.starts_with("  "));
         let is_whole = question.ends_with('?') && equations.iter().any(|line| line.contains(" = "));
-        assert!(is_whole && !words.is_empty() && !idea.contains(['\\', '$']), "{name}: {idea}");
+        let is_plain = !words.concat().contains(['\\', '$']);
+        assert!(is_whole && !words.is_empty() && is_plain, "{name}: {idea}");
     }
     let idea = programs()[6].idea;
-    assert!(idea.contains("\n  h = (v+l)/‖v+l‖\n"), "{idea}");
+    assert!(idea.contains("\n  \\mathbf{h} = "), "{idea}");
 }
 
 #[test]
@@ -188,22 +163,14 @@ fn what_is_quoted_of_the_code_is_in_it() {
 
 #[test]
 fn every_step_has_a_complete_handout() {
-    let expected = [
-        "The idea",
-        "The equation",
-        "Before and after",
-        "Try this",
-        "Two traps",
-        "Two questions",
-        "Exercise",
-    ];
+    let expected =
+        "The idea; The equation; Before and after; Try this; Two traps; Two questions; Exercise";
+    let expected: Vec<&str> = expected.split("; ").collect();
     let mut wrong = Vec::new();
     for step in STEPS {
         let readme = Readme::read(&Path::new(step).join("README.md"));
-        let headings = readme.parts.iter().filter_map(|part| match part {
-            Part::Heading(HeadingLevel::H2, heading) => Some(heading.as_str()),
-            _ => None,
-        });
+        let is_section = |part: &&Part| matches!(part, Part::Heading(HeadingLevel::H2, _));
+        let headings = readme.parts.iter().filter(is_section).filter_map(Part::text);
         let headings: Vec<&str> = headings.filter(|heading| expected.contains(heading)).collect();
         assert_eq!(headings, expected, "{step}");
         for example in files_below(&root().join(step).join("examples")) {
@@ -213,16 +180,13 @@ fn every_step_has_a_complete_handout() {
                 wrong.push(format!("{step}: the handout does not say `{command}`"));
             }
         }
-        let idea = readme.section("The idea").iter().map(|part| match part {
-            Part::Text(text) | Part::Code(text) => text.as_str(),
-            _ => " ",
-        });
+        let is_word = |part: &&Part| matches!(part, Part::Text(_) | Part::Code(_));
+        let idea = readme.section("The idea").iter().filter(is_word).filter_map(Part::text);
         let words = idea.collect::<String>().split_whitespace().count();
         let items = readme.section("Try this").iter().filter(|part| **part == Part::ListItem);
-        let folded = readme.section("Two questions").iter().filter(
-            |part| matches!(part, Part::Html(html) if html.trim_start().starts_with("<details>")),
-        );
-        let counts = (items.count(), folded.count());
+        let questions = readme.section("Two questions").iter();
+        let folded = questions.filter(|part| is_folded(part)).count();
+        let counts = (items.count(), folded);
         if words >= 150 || counts != (5, 2) {
             wrong.push(format!("{step}: {words} words of idea, {counts:?} things and questions"));
         }
@@ -230,19 +194,16 @@ fn every_step_has_a_complete_handout() {
     none(wrong);
 }
 
+fn is_folded(part: &Part) -> bool {
+    matches!(part, Part::Html(html) if html.trim_start().starts_with("<details>"))
+}
+
 /// The numbers in a text, in order of their digits; Portuguese has a decimal comma.
 fn numbers(readme: &Readme) -> Vec<String> {
-    let text: Vec<char> = readme.texts().collect::<Vec<_>>().join(" ").chars().collect();
-    let digit = |at: usize| text.get(at).is_some_and(char::is_ascii_digit);
-    let is_point =
-        |at: usize| ['.', ','].contains(&text[at]) && digit(at.wrapping_sub(1)) && digit(at + 1);
-    let kept = (0..text.len()).map(|at| match text[at] {
-        _ if is_point(at) => '.',
-        c if c.is_ascii_digit() => c,
-        _ => ' ',
-    });
-    let kept: String = kept.collect();
-    let mut numbers: Vec<String> = kept.split_whitespace().map(str::to_owned).collect();
+    let text = readme.texts().collect::<Vec<_>>().join(" ").replace(',', ".");
+    let parts = text.split(|letter: char| !(letter.is_ascii_digit() || letter == '.'));
+    let parts = parts.map(|part| part.trim_matches('.').to_owned());
+    let mut numbers: Vec<String> = parts.filter(|part| !part.is_empty()).collect();
     numbers.sort();
     numbers
 }
@@ -268,49 +229,47 @@ fn shape(readme: &Readme) -> Vec<Part> {
         // A heading is another one, and so is its anchor.
         Part::Link(link) if link.starts_with('#') => None,
         Part::Link(link) => Some(Part::Link(link.replace(".pt-BR.", "."))),
-        Part::Html(html) => html.trim_start().starts_with("<details>").then(|| part.clone()),
-        _ => None,
+        part => is_folded(part).then(|| part.clone()),
     });
     shape.collect()
 }
 
 #[test]
 fn both_languages_say_the_same() {
-    /// Where two lists differ first.
-    fn differing<T: PartialEq>(ours: &[T], theirs: &[T]) -> Option<usize> {
-        (0..ours.len().max(theirs.len())).find(|place| ours.get(*place) != theirs.get(*place))
+    /// Where two lists differ first, and what each has there.
+    fn differing<T: PartialEq + Clone>(ours: &[T], theirs: &[T]) -> Option<[Option<T>; 2]> {
+        let pairs = (0..ours.len().max(theirs.len())).map(|at| [ours.get(at), theirs.get(at)]);
+        pairs.map(|pair| pair.map(|it| it.cloned())).find(|[ours, theirs]| ours != theirs)
     }
     let mut wrong = Vec::new();
     for translated in readmes().into_iter().filter(Readme::is_translated) {
         let name = translated.name();
         let mut fail = |what: String| wrong.push(format!("{name}: {what}"));
         let original = Readme::read(Path::new(&name.replace(".pt-BR.md", ".md")));
-        let [ours, theirs] = [&original, &translated].map(shape);
-        if let Some(place) = differing(&ours, &theirs) {
-            fail(format!("{:?} instead of {:?}", theirs.get(place), ours.get(place)));
+        let both = [&original, &translated];
+        let [ours, theirs] = both.map(shape);
+        if let Some([ours, theirs]) = differing(&ours, &theirs) {
+            fail(format!("{theirs:?} instead of {ours:?}"));
         }
         // The order of words in a sentence is another one.
         let sorted = |readme: &Readme| -> Vec<String> {
-            let mut codes: Vec<String> = readme.codes().map(str::to_owned).collect();
-            codes.sort();
-            codes
+            let codes: BTreeSet<(String, usize)> =
+                readme.codes().map(str::to_owned).zip(0..).collect();
+            codes.into_iter().map(|(code, _)| code).collect()
         };
-        for list in [sorted, numbers] {
-            let [ours, theirs] = [&original, &translated].map(list);
-            if let Some(place) = differing(&ours, &theirs) {
-                fail(format!("{:?} instead of {:?}", theirs.get(place), ours.get(place)));
+        for [ours, theirs] in [both.map(sorted), both.map(numbers)] {
+            if let Some([ours, theirs]) = differing(&ours, &theirs) {
+                fail(format!("{theirs:?} instead of {ours:?}"));
             }
         }
-        let left = |readme: &Readme| -> BTreeSet<String> {
+        let [ours, theirs] = both.map(|readme| {
             let lines = readme.fences("sh").flat_map(commands);
-            lines.filter_map(left_to_the_reader).map(str::to_owned).collect()
-        };
-        let both = left(&original).intersection(&left(&translated)).cloned().collect::<Vec<_>>();
+            lines.filter_map(left_to_the_reader).map(str::to_owned).collect::<BTreeSet<String>>()
+        });
+        ours.intersection(&theirs).for_each(|words| fail(format!("{words} is in English")));
         // Each language leads on to itself.
-        let others =
-            translated.links().filter(|link| link.ends_with("README.md") && *link != "README.md");
-        let others: Vec<String> = others.map(str::to_owned).chain(both).collect();
-        others.iter().for_each(|words| fail(format!("{words} is in English")));
+        let is_other = |link: &&str| link.ends_with("README.md") && *link != "README.md";
+        translated.links().filter(is_other).for_each(|link| fail(format!("{link} is in English")));
     }
     for readme in originals().filter(|readme| readme.step().is_some()) {
         let translation = root().join(readme.name().replace(".md", ".pt-BR.md"));
@@ -320,20 +279,11 @@ fn both_languages_say_the_same() {
 }
 
 /// The window with all steps at step 06, where a pixel was clicked and `key` pressed.
-fn in_class((col, row): (f32, f32), key: char) -> RgbImage {
-    let window = Size::DEFAULT;
-    let mut session = Session::new(Desk::new(programs(), 5));
-    session.handle(Event::Resize(window));
-    let Area { left, top, width, height } = session.picture_area();
-    let x = left + width * (col + 0.5) / window.width() as f32;
-    let y = top + height * (row + 0.5) / window.height() as f32;
-    for event in [Event::Press(x, y), Event::Release(x, y), Event::Key(Key::Char(key), false)] {
-        session.handle(event);
-    }
-    let pictures = pictures_of(session.desk(), session.shown_size());
-    let mut image = RgbImage::new(window.width() as u32, window.height() as u32);
-    session.paint(&mut image, &pictures.iter().collect::<Vec<_>>(), "");
-    image
+fn in_class((col, row): (f32, f32), key: &str) -> RgbImage {
+    let mut session = window(Desk::new(programs(), 5));
+    click(&mut session, ((col + 0.5) / 960.0, (row + 0.5) / 540.0));
+    typed(&mut session, key);
+    painted(&mut session, Size::DEFAULT, "")
 }
 
 #[test]
@@ -344,8 +294,8 @@ fn the_pictures_of_the_readmes_are_what_the_programs_show() {
     let mut pictures = vec![("picture.png", top)];
     // The last digits of the numbers in them differ between processors.
     if cfg!(target_arch = "x86_64") {
-        pictures.push(("lecture/figures/divider.png", in_class((638.0, 482.0), 'D')));
-        pictures.push(("lecture/figures/outside.png", in_class((671.0, 376.0), 'O')));
+        pictures.push(("lecture/figures/divider.png", in_class((638.0, 482.0), "D")));
+        pictures.push(("lecture/figures/outside.png", in_class((671.0, 376.0), "O")));
     }
     let held = pictures.iter().map(|(path, found)| hold_picture(&root().join(path), found, &[]));
     none(held.filter_map(Result::err).collect());

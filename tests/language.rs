@@ -1,13 +1,9 @@
 //! The languages: every text has its translation, which fits where it stands, and whatever a class
 //! looks at speaks one of them.
 
-use std::collections::BTreeSet;
-use std::fs;
-use std::path::PathBuf;
 use std::sync::LazyLock;
 use std::sync::Mutex;
 
-use tempfile::tempdir;
 use tests::prelude::*;
 
 use crate::LECTURE;
@@ -15,38 +11,17 @@ use crate::wrong::WRONG;
 
 /// The string literals of Rust source, each with what stands before it.
 fn literals(source: &str) -> Vec<(String, String)> {
-    let (mut literals, mut code) = (Vec::new(), String::new());
-    let mut characters = source.chars().peekable();
-    while let Some(character) = characters.next() {
-        match character {
-            '/' if characters.peek() == Some(&'/') => {
-                characters.by_ref().find(|character| *character == '\n');
-            }
-            // The character " in quotes.
-            '\'' if characters.peek() == Some(&'"') => drop(characters.next()),
-            '"' => {
-                let mut text = String::new();
-                while let Some(character) = characters.next().filter(|character| *character != '"')
-                {
-                    match (character, characters.peek()) {
-                        ('\\', Some('\n')) => {
-                            while characters.next_if(|next| next.is_whitespace()).is_some() {}
-                        }
-                        ('\\', Some('n')) => {
-                            characters.next();
-                            text.push('\n');
-                        }
-                        ('\\', Some(_)) => text.extend(characters.next()),
-                        _ => text.push(character),
-                    }
-                }
-                literals.push((code.trim_end().to_owned(), text));
-                code.clear();
-            }
-            _ => code.push(character),
-        }
-    }
-    literals
+    let code = source.lines().map(|line| line.split("//").next().unwrap_or_default());
+    // A quote within a literal, or one that is a character, ends none.
+    let code = code.collect::<Vec<_>>().join("\n").replace("'\"'", "").replace("\\\"", "\u{1}");
+    let pieces: Vec<&str> = code.split('"').collect();
+    let literal = |pair: &[&str]| {
+        let lines: Vec<&str> = pair[1].split("\\\n").collect();
+        let text = [&lines[..1], &lines[1..].iter().map(|it| it.trim_start()).collect::<Vec<_>>()];
+        let text = text.concat().concat().replace('\u{1}', "\"").replace("\\n", "\n");
+        (pair[0].trim_end().to_owned(), text.replace("\\\\", "\\"))
+    };
+    pieces.chunks_exact(2).map(literal).collect()
 }
 
 /// The text of each file in these folders, from the root, and below.
@@ -135,9 +110,8 @@ fn texts() -> BTreeSet<String> {
 }
 
 fn explanations(index: usize) -> Vec<Explanation> {
-    let step = step(index);
-    let camera = step.view().camera(16.0 / 9.0);
-    pixels(48, 27).map(|pixel| step.explain(&*camera, pixel)).collect()
+    let (setup, size) = (setup(index), size(48, 27));
+    pixels(48, 27).map(|pixel| explained(&setup, (pixel.col, pixel.row), size)).collect()
 }
 
 #[test]
@@ -168,8 +142,7 @@ fn every_text_has_its_translation_and_no_other_has() {
 
 #[test]
 fn texts_fit_where_they_stand() {
-    for (language, (index, step)) in Language::all()
-        .flat_map(|language| STEPS.iter().enumerate().map(move |step| (language, step)))
+    for (language, index) in Language::all().flat_map(|it| (0..STEPS.len()).map(move |at| (it, at)))
     {
         language.speak();
         for setting in setup(index).list() {
@@ -178,7 +151,7 @@ fn texts_fit_where_they_stand() {
         }
         for told in explanations(index) {
             let long = written(&told).lines().any(|line| line.chars().count() > 100);
-            assert!(!long, "{step}: {}", written(&told));
+            assert!(!long, "{}: {}", STEPS[index], written(&told));
             for scope in told.told.all() {
                 let name = translated(scope.name);
                 assert!(name.chars().count() < 47, "it reaches into its number: {name}");
@@ -302,26 +275,19 @@ fn is_written(image: &RgbImage, left: f32, size: f32, ink: Ink, text: &str) -> b
 
 #[test]
 fn a_session_speaks_its_language_whatever_else_is_spoken() {
-    let program = |index| Program::new(STEPS[index], "", Size::DEFAULT, make(index));
     // So high that all lines can be seen, and so wide that none is broken.
-    let (window, em) = (size(1000, 5000), 0.0385 * 0.75 * 1000.0);
+    let (large, em) = (size(1000, 7000), 0.0385 * 0.75 * 1000.0);
     for language in Language::all() {
-        language.speak();
-        let mut session = Session::new(Desk::new((0..STEPS.len()).map(program).collect(), 5));
-        let note = |session: &mut Session| {
-            session.handle(Event::Key(Key::Enter, false));
-            session.note().expect("a note").to_owned()
-        };
-        let is_english = |note: &str| note == "point at the picture to pin a pixel";
-        assert_eq!(is_english(&note(&mut session)), language == Language::ENGLISH);
-        session.handle(Event::Key(Key::Char('G'), false));
-        language.speak();
-        assert_ne!(is_english(&note(&mut session)), language == Language::ENGLISH, "the next one");
-        session.handle(Event::Key(Key::Char('G'), false));
-        session.handle(Event::Resize(window));
+        let mut session = Session::new(desk(5, Size::DEFAULT));
+        typed(&mut session, &"G".repeat(language.place()));
+        // Whatever else was spoken meanwhile.
+        language.next().speak();
+        key(&mut session, Key::Enter);
+        let note = "point at the picture to pin a pixel";
+        let is_english = session.note() == Some(note);
+        assert_eq!(is_english, language == Language::ENGLISH, "{:?}", session.note());
         session.handle(Event::Key(Key::F(1), false));
-        let mut image = RgbImage::new(1000, 5000);
-        session.paint(&mut image, &[], "");
+        let image = painted(&mut session, large, "");
         let accent = Ink::new(255, 208, 64);
         for (left, ink, english) in keys()
             .into_iter()
@@ -337,8 +303,8 @@ fn a_session_speaks_its_language_whatever_else_is_spoken() {
         }
         // So does whoever works on a picture, such as when it says how far it is.
         language.speak();
-        let (step, size, spoken) = (step(5), tests::size(16, 9), Mutex::new(Vec::new()));
-        let camera = step.view().camera(size.aspect());
+        let (step, spoken) = (step(5), Mutex::new(Vec::new()));
+        let (size, camera) = (size(16, 9), step.view().camera(16.0 / 9.0));
         let frame = Frame { step: &*step, camera: &*camera, size, samples: 1 };
         render_parallel(&frame, |_| spoken.lock().expect("unharmed").push(Language::spoken()));
         let spoken = spoken.into_inner().expect("unharmed");

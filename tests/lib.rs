@@ -7,21 +7,18 @@
 //! Tests that need a program besides Rust are ignored, and name it: `cargo test -- --ignored`.
 
 pub mod chance;
+pub mod hands;
 pub mod laws;
 pub mod prelude;
 pub mod run;
 
-use std::fs;
 use std::io;
 use std::io::Write;
-use std::path::Path;
-use std::path::PathBuf;
 use std::rc::Rc;
 
 use image::codecs::png::CompressionType;
 use image::codecs::png::FilterType;
 use image::codecs::png::PngEncoder;
-use lecture::PROGRAMS;
 use lecture::steps;
 
 use crate::prelude::*;
@@ -51,18 +48,6 @@ pub fn make(index: usize) -> Make {
 /// A step as it starts, to be set up, by its index in [`STEPS`].
 pub fn setup(index: usize) -> Setup {
     Setup::new(make(index))
-}
-
-/// A desk with all steps, at the one of this index, whose pictures are so large; it speaks English.
-pub fn desk(index: usize, picture: Size) -> Desk {
-    Language::ENGLISH.speak();
-    let program = |index| Program::new(STEPS[index], "a concept", picture, make(index));
-    Desk::new((0..STEPS.len()).map(program).collect(), index)
-}
-
-/// Does on the desk what cannot be refused.
-pub fn act(desk: &mut Desk, act: Act) {
-    desk.act(act.clone()).unwrap_or_else(|refusal| panic!("{act:?}: {refusal}"));
 }
 
 /// A size that there is.
@@ -95,6 +80,12 @@ pub fn colors(step: &dyn Step, camera: &dyn Camera, width: usize, height: usize)
     let mut colors = vec![Color::NAN; width * height];
     step.render(camera, &mut Image::new(width, height, 0, &mut colors));
     colors
+}
+
+/// What `setup` tells of a pixel of a picture of this size.
+pub fn explained(setup: &Setup, (col, row): (usize, usize), size: Size) -> Explanation {
+    let pixel = Pixel { col, row, width: size.width(), height: size.height() };
+    setup.step().explain(&*setup.view().camera(size.aspect()), pixel)
 }
 
 /// Every pixel of a picture of this size, row by row.
@@ -190,8 +181,9 @@ pub fn compare(
 pub fn hold_picture(
     path: &Path, found: &RgbImage, others: &[(&str, RgbImage)],
 ) -> Result<(), String> {
+    let (shown, exists) = (path.strip_prefix(root()).unwrap_or(path).display(), path.exists());
     if updating_snapshots() {
-        if !path.exists() || read_picture(path) != *found {
+        if !exists || read_picture(path) != *found {
             fs::create_dir_all(path.parent().expect("a file in a folder")).expect("a folder");
             // Slower than usual, because it is made once and cloned by everybody; in one stroke,
             // because other tests may be reading it.
@@ -205,9 +197,8 @@ pub fn hold_picture(
         }
         return Ok(());
     }
-    let shown = path.strip_prefix(root()).unwrap_or(path).display();
     let remedy = "if the change was meant, run `UPDATE_SNAPSHOTS=1 cargo test`, and look at it";
-    if !path.exists() {
+    if !exists {
         return Err(format!("there is no {shown}: {remedy}"));
     }
     let name = path.file_stem().and_then(|stem| stem.to_str()).expect("a name");

@@ -23,7 +23,7 @@ pub(crate) fn elements(html: &str) -> Vec<Element<'_>> {
             let (place, inside) = open.pop().expect("what ends has begun");
             assert_eq!(found[place].name(), name, "…{}", &html[inside..start]);
             found[place].inner = &html[inside..start];
-        } else if tag.starts_with(|first: char| first.is_ascii_alphabetic()) {
+        } else if is_name(tag) {
             let element = Element { tag, inner: "" };
             let name = element.name();
             found.push(element);
@@ -41,6 +41,10 @@ pub(crate) fn elements(html: &str) -> Vec<Element<'_>> {
     }
     assert_eq!(open, [], "not closed");
     found
+}
+
+fn is_name(tag: &str) -> bool {
+    tag.starts_with(|first: char| first.is_ascii_alphabetic())
 }
 
 impl<'a> Element<'a> {
@@ -73,13 +77,10 @@ impl<'a> Element<'a> {
 
     /// What can be read in it.
     pub(crate) fn text(&self) -> String {
-        let is_tag = |piece: &str| {
-            piece.starts_with(|first: char| first == '/' || first.is_ascii_alphabetic())
-        };
         let mut pieces = self.inner.split('<');
         let mut text = pieces.next().unwrap_or_default().to_owned();
         for piece in pieces {
-            match piece.split_once('>').filter(|_| is_tag(piece)) {
+            match piece.split_once('>').filter(|_| is_name(piece.trim_start_matches('/'))) {
                 Some((_, after)) => text.push_str(after),
                 None => text.extend(["<", piece]),
             }
@@ -96,10 +97,7 @@ pub(crate) fn by_id<'a>(elements: &[Element<'a>], id: &str) -> Element<'a> {
 
 /// `text` without the names that HTML has for signs.
 fn plain(text: &str) -> String {
-    let mut plain = text.to_owned();
-    for (name, sign) in [("lt", "<"), ("gt", ">"), ("quot", "\""), ("nbsp", "\u{a0}"), ("amp", "&")]
-    {
-        plain = plain.replace(&format!("&{name};"), sign);
-    }
-    plain
+    let signs = [("lt", "<"), ("gt", ">"), ("quot", "\""), ("nbsp", "\u{a0}"), ("amp", "&")];
+    let signs = signs.into_iter().map(|(name, sign)| (format!("&{name};"), sign));
+    signs.fold(text.to_owned(), |text, (name, sign)| text.replace(&name, sign))
 }

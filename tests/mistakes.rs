@@ -6,9 +6,6 @@ use exercises::Pair;
 use exercises::SYMBOLS;
 use exercises::Scene;
 use exercises::Shot;
-use image::imageops;
-use rayon::iter::IntoParallelRefIterator;
-use rayon::iter::ParallelIterator;
 use tests::prelude::*;
 
 /// What is said of `found` where the last step was expected, as it starts.
@@ -87,10 +84,8 @@ fn each_mistake_is_told_from_all_others() {
         let size = size(32, 18);
         let scenes = views.map(|view| {
             let mut setup = setup(index);
-            if let Some((control, value)) = view.split_once('=') {
-                // Only some steps have a centre, or light.
-                let _ = setup.set(control, value);
-            }
+            // Only some steps have a centre, or light.
+            drop(view.split_once('=').map(|(control, value)| setup.set(control, value)));
             Scene::new(setup, size)
         });
         let frames = scenes.iter().map(|scene| {
@@ -106,10 +101,13 @@ fn each_mistake_is_told_from_all_others() {
             });
             let found: Vec<RgbImage> = found.collect();
             let pairs = frames.iter().zip(&found);
-            let pairs: Vec<Pair<'_>> = pairs
-                .map(|((shot, expected), found)| Pair { shot: *shot, times: 1.0, expected, found })
-                .collect();
-            let said = Diagnosis::new("", &pairs);
+            let pairs = pairs.map(|((shot, expected), found)| Pair {
+                shot: *shot,
+                times: 1.0,
+                expected,
+                found,
+            });
+            let said = Diagnosis::new("", &pairs.collect::<Vec<_>>());
             let said: Vec<&str> = said.mistakes.iter().map(|named| named.what).collect();
             let is_it = said.is_empty() || said.contains(&mistake.what);
             assert!(is_it, "{name}: {}: {said:?}", mistake.what);
@@ -126,11 +124,9 @@ fn each_mistake_is_told_from_all_others() {
 #[test]
 fn what_mistakes_speak_of_is_in_the_steps() {
     let mut untold: Vec<_> = SYMBOLS.to_vec();
-    for index in 0..STEPS.len() {
-        let step = step(index);
-        let camera = step.view().camera(16.0 / 9.0);
+    for setup in (0..STEPS.len()).map(setup) {
         for pixel in pixels(32, 18) {
-            let said = step.explain(&*camera, pixel);
+            let said = explained(&setup, (pixel.col, pixel.row), size(32, 18));
             untold.retain(|(_, is_about)| !said.lines().any(is_about));
         }
     }

@@ -6,7 +6,9 @@
 mod articles;
 mod browser;
 mod markup;
+mod page_class;
 mod page_hands;
+mod page_looks;
 mod page_pictures;
 mod page_texts;
 mod protocol;

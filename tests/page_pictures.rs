@@ -1,7 +1,5 @@
 //! What the page draws in a browser is what the steps and their figures draw.
 
-use lecture::FIGURES;
-use serde_json::json;
 use tests::prelude::*;
 
 use crate::browser::Browser;
@@ -16,26 +14,11 @@ fn differences(expected: &RgbImage, found: &RgbImage) -> (usize, u8) {
     each.fold((0, 0), |(count, most), difference| (count + 1, most.max(difference)))
 }
 
-/// Holds the picture on the page to the committed one.
 fn is_committed(browser: &Browser, name: &str, projection: &str) {
     browser.show(&format!("#{}&camera={projection}&size=240x135", &name[..6]));
     let path = root().join("tests/pictures").join(format!("{name}_{projection}.png"));
     let (count, most) = differences(&read_picture(&path), &browser.canvas("#now"));
     assert!(count <= 90 && most <= 1, "{name}, {projection}: {count} channels, by up to {most}");
-}
-
-#[test]
-#[ignore = "needs Chromium and the wasm target"]
-fn each_step_shows_the_committed_picture() {
-    let browser = Browser::new(1280, 800);
-    for name in STEPS {
-        View::PROJECTIONS.iter().for_each(|projection| is_committed(&browser, name, projection));
-    }
-    browser.is_quiet();
-    let size = std::fs::metadata(&*PAGE).expect("the page").len();
-    // One megabyte for seven steps.
-    let most = 720_000 + 40_000 * STEPS.len() as u64;
-    assert!(size <= most, "it has {size} bytes, and may have {most}");
 }
 
 /// The controls that leave the picture as it is at both ends, and those that are not put back.
@@ -65,9 +48,10 @@ const STILL: &str = "
 
 #[test]
 #[ignore = "needs Chromium and the wasm target"]
-fn each_control_moves_the_picture() {
+fn each_step_shows_the_committed_picture_and_each_control_moves_it() {
     let browser = Browser::new(1280, 800);
     for name in STEPS {
+        View::PROJECTIONS.iter().for_each(|projection| is_committed(&browser, name, projection));
         browser.show(&format!("#{}&size=240x135", &name[..6]));
         // A direction knows no distance, a sphere at the target looks alike from everywhere, and so
         // does a triangle in the target's plane with both cameras.
@@ -80,6 +64,10 @@ fn each_control_moves_the_picture() {
         assert_eq!(browser.wait_for(STILL), expected, "{name}");
     }
     browser.is_quiet();
+    let size = fs::metadata(&*PAGE).expect("the page").len();
+    // One megabyte for seven steps.
+    let most = 720_000 + 40_000 * STEPS.len() as u64;
+    assert!(size <= most, "it has {size} bytes, and may have {most}");
 }
 
 #[test]
@@ -94,12 +82,25 @@ fn the_divider_shows_the_step_before() {
             pixel == if col < left { &before } else { &now }.get_pixel(col, row)
         })
     };
-    browser.run("$('divide').click()");
-    browser.wait_for(DRAWN);
-    assert!(before != now && is_divided(120));
-    browser.run("$('divider').value = 0.25; $('divider').dispatchEvent(new Event('input'))");
+    // All of it as long as the button is held.
+    let hold = |event| {
+        format!(
+            "const hold = $('hold'); hold.setPointerCapture = () => {{}}; hold.dispatchEvent(new PointerEvent('{event}'))"
+        )
+    };
+    let slide = "$('divider').value = 0.25; $('divider').dispatchEvent(new Event('input'))";
+    for (done, left) in [
+        ("$('divide').click()".to_owned(), 120),
+        (slide.to_owned(), 60),
+        (hold("pointerdown"), 240),
+        (hold("pointerup"), 60),
+    ] {
+        browser.run(&done);
+        browser.wait_for(DRAWN);
+        assert!(before != now && is_divided(left), "{done}");
+    }
     let edge = browser.run("return [$('edge').hidden, $('edge').style.left]");
-    assert!(is_divided(60) && edge == json!([false, "25%"]), "{edge}");
+    assert_eq!(edge, json!([false, "25%"]));
     // What is saved has both halves.
     let saved = browser.picture(
         "let saved;
@@ -108,16 +109,6 @@ fn the_divider_shows_the_step_before() {
         return saved",
     );
     assert!(saved == browser.canvas("#now"));
-    // All of it as long as the button is held.
-    for (held, left) in [("pointerdown", 240), ("pointerup", 60)] {
-        browser.run(&format!(
-            "const hold = $('hold');
-            hold.setPointerCapture = () => {{}};
-            hold.dispatchEvent(new PointerEvent('{held}'))"
-        ));
-        browser.wait_for(DRAWN);
-        assert!(is_divided(left), "{held}");
-    }
     // To where there is no step before, while a picture with both is drawn quickly.
     let workers = browser.run("return workers.length");
     browser.run("stage.cost = 1; moved({ orbit: [1, 0] }); act({ step: 1 })");
@@ -131,8 +122,7 @@ fn the_divider_shows_the_step_before() {
 #[ignore = "needs Chromium and the wasm target"]
 fn each_figure_is_live() {
     let browser = Browser::at("#step01");
-    browser
-        .run("for (const article of document.querySelectorAll('article')) article.hidden = false");
+    browser.run("for (const it of document.querySelectorAll('article')) it.hidden = false");
     browser.unfold();
     for (name, figure) in FIGURES {
         let place = format!("document.querySelector('article[lang=en] .{name}')");

@@ -7,7 +7,6 @@ mod files;
 mod language;
 mod mistakes;
 mod slips;
-mod solutions;
 mod window;
 mod wrong;
 

@@ -1,8 +1,5 @@
 //! READMEs, taken apart into what can be held to something.
 
-use std::path::Path;
-use std::path::PathBuf;
-
 use pulldown_cmark::CodeBlockKind;
 use pulldown_cmark::Event;
 use pulldown_cmark::HeadingLevel;
@@ -10,12 +7,7 @@ use pulldown_cmark::Options;
 use pulldown_cmark::Parser;
 use pulldown_cmark::Tag;
 use pulldown_cmark::TagEnd;
-use show::Language;
-use tests::STEPS;
-use tests::files_below;
-use tests::portuguese;
-use tests::root;
-use tests::source;
+use tests::prelude::*;
 
 /// The languages, and what a handout is called in each.
 pub(crate) fn languages() -> [(Language, &'static str); 2] {
@@ -54,7 +46,6 @@ impl Readme {
         Self { path: path.to_owned(), parts: parts(&source(path)) }
     }
 
-    /// Where it lies, from the root.
     pub(crate) fn name(&self) -> String {
         self.path.display().to_string()
     }
@@ -79,35 +70,42 @@ impl Readme {
         &below[..end.unwrap_or(below.len())]
     }
 
-    /// The text of each fenced block in `language`.
     pub(crate) fn fences(&self, language: &str) -> impl Iterator<Item = &str> {
-        self.parts.iter().filter_map(move |part| match part {
-            Part::Fence(found, text) if found == language => Some(text.as_str()),
-            _ => None,
-        })
+        let is_it = move |part: &Part| matches!(part, Part::Fence(found, _) if found == language);
+        self.said(is_it)
     }
 
     /// What is written as code within its sentences.
     pub(crate) fn codes(&self) -> impl Iterator<Item = &str> {
-        self.parts.iter().filter_map(|part| match part {
-            Part::Code(code) | Part::Control(code) => Some(code.as_str()),
-            _ => None,
-        })
+        self.said(|part| matches!(part, Part::Code(_) | Part::Control(_)))
     }
 
     pub(crate) fn links(&self) -> impl Iterator<Item = &str> {
-        self.parts.iter().filter_map(|part| match part {
-            Part::Link(address) => Some(address.as_str()),
-            _ => None,
-        })
+        self.said(|part| matches!(part, Part::Link(_)))
     }
 
-    /// Its words.
     pub(crate) fn texts(&self) -> impl Iterator<Item = &str> {
-        self.parts.iter().filter_map(|part| match part {
-            Part::Text(text) | Part::Heading(_, text) => Some(text.as_str()),
-            _ => None,
-        })
+        self.said(|part| matches!(part, Part::Text(_) | Part::Heading(..)))
+    }
+
+    fn said(&self, is_it: impl Fn(&Part) -> bool) -> impl Iterator<Item = &str> {
+        self.parts.iter().filter(move |part| is_it(part)).filter_map(Part::text)
+    }
+}
+
+impl Part {
+    pub(crate) fn text(&self) -> Option<&str> {
+        match self {
+            Self::Table(..) | Self::ListItem => None,
+            Self::Heading(_, text)
+            | Self::Fence(_, text)
+            | Self::Link(text)
+            | Self::Code(text)
+            | Self::Control(text)
+            | Self::Formula(text)
+            | Self::Text(text)
+            | Self::Html(text) => Some(text),
+        }
     }
 }
 
@@ -181,7 +179,6 @@ fn without_words(formula: &str) -> String {
     std::iter::once(first).chain(rest).collect::<Vec<_>>().join("\\text{}")
 }
 
-/// All READMEs that are no translation.
 pub(crate) fn originals() -> impl Iterator<Item = Readme> {
     readmes().into_iter().filter(|readme| !readme.is_translated())
 }
@@ -189,13 +186,13 @@ pub(crate) fn originals() -> impl Iterator<Item = Readme> {
 /// All READMEs: those of the root, of the steps, and of the tests' references; and how to add to them.
 pub(crate) fn readmes() -> Vec<Readme> {
     let folders = STEPS.into_iter().chain(["common", "lecture", "tests"]);
-    let mut paths: Vec<PathBuf> =
-        folders.flat_map(|folder| files_below(&root().join(folder))).collect();
-    paths.extend(tests::run::files(root()).into_iter().map(|name| root().join(name)));
-    paths.retain(|path| {
+    let below = folders.flat_map(|folder| files_below(&root().join(folder)));
+    let paths = below.chain(files(root()).into_iter().map(|name| root().join(name)));
+    let is_one = |path: &PathBuf| {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         name.starts_with("README") || name == "CONTRIBUTING.md"
-    });
+    };
+    let mut paths: Vec<PathBuf> = paths.filter(is_one).collect();
     paths.sort();
     let inside = |path: &PathBuf| path.strip_prefix(root()).map(Readme::read);
     paths.iter().map(|path| inside(path).expect("it was found below the root")).collect()

@@ -87,23 +87,26 @@ pub fn words(line: &str) -> Vec<&str> {
     line.split_whitespace().collect()
 }
 
-/// What `name` prints with these arguments, which it has to do.
+/// What `name` prints with these arguments in `folder`; it has to do what it is asked for.
+#[track_caller]
+fn done(folder: &Path, name: &str, arguments: &[&str]) -> String {
+    let output = run_in(folder, name, arguments);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{name} {arguments:?}: {}\n{said}", output.status);
+    String::from_utf8(output.stdout).expect("text")
+}
+
+/// What `name` prints with these arguments.
 #[track_caller]
 pub fn printed(name: &str, arguments: &str) -> String {
-    let output = run_in(&scratch(), name, &words(arguments));
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{name} {arguments}: {}\n{said}", output.status);
-    String::from_utf8(output.stdout).expect("text")
+    done(&scratch(), name, &words(arguments))
 }
 
 /// The picture that `name` writes with these arguments.
 #[track_caller]
 pub fn drawn(name: &str, arguments: &str) -> image::RgbImage {
     let folder = tempfile::tempdir().expect("a folder");
-    let arguments = [words(arguments), vec!["-o", "a.png"]].concat();
-    let output = run_in(folder.path(), name, &arguments);
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{name} {arguments:?}: {}\n{said}", output.status);
+    done(folder.path(), name, &[words(arguments), vec!["-o", "a.png"]].concat());
     crate::read_picture(&folder.path().join("a.png"))
 }
 

@@ -1,6 +1,5 @@
 //! What hands do in a window, and what is painted there.
 
-use image::imageops;
 use tests::prelude::*;
 
 use crate::alone;
@@ -9,47 +8,20 @@ use crate::desk;
 const WINDOW: Size = Size::DEFAULT;
 const BACKGROUND: [u8; 3] = [21, 24, 31];
 
-/// A step alone in a [`WINDOW`].
 fn single(index: usize) -> Session {
-    wide(Session::new(alone(index)))
+    window(alone(index))
 }
 
-/// All steps, at the step `index`, in a [`WINDOW`].
 fn lecture(index: usize) -> Session {
-    wide(Session::new(desk(index)))
-}
-
-fn wide(mut session: Session) -> Session {
-    session.handle(Event::Resize(WINDOW));
-    session
-}
-
-fn key(session: &mut Session, key: Key) -> Vec<Effect> {
-    session.handle(Event::Key(key, false))
+    window(desk(index))
 }
 
 fn keys(session: &mut Session, keys: &[Key]) {
     keys.iter().for_each(|pressed| drop(key(session, *pressed)));
 }
 
-/// What `session` paints into a window of this size, with a word on how the picture was made.
-fn painted(session: &mut Session, window: Size, status: &str) -> RgbImage {
-    session.handle(Event::Resize(window));
-    let pictures = pictures_of(session.desk(), session.shown_size());
-    let mut image = RgbImage::new(window.width() as u32, window.height() as u32);
-    session.paint(&mut image, &pictures.iter().collect::<Vec<_>>(), status);
-    image
-}
-
 fn paint(session: &mut Session) -> RgbImage {
     painted(session, WINDOW, "")
-}
-
-/// The picture's part of a window.
-fn cropped(session: &Session, image: &RgbImage) -> RgbImage {
-    let Area { left, top, width, height } = session.picture_area();
-    let [left, top, width, height] = [left, top, width, height].map(|side| side as u32);
-    imageops::crop_imm(image, left, top, width, height).to_image()
 }
 
 fn text(session: &Session, name: &str) -> String {
@@ -61,39 +33,26 @@ fn settings(session: &Session) -> Vec<String> {
     session.desk().setup().settings()
 }
 
-/// A place of the picture, by its shares of it.
-fn place(session: &Session, (across, down): (f32, f32)) -> (f32, f32) {
-    let Area { left, top, width, height } = session.picture_area();
-    (left + across * width, top + down * height)
+fn view(session: &Session) -> View {
+    session.desk().setup().view().clone()
 }
 
-/// A press there, a way, and letting go.
-fn drag(session: &mut Session, way: &[(f32, f32)]) {
-    let ((x, y), (last_x, last_y)) = (way[0], way[way.len() - 1]);
-    session.handle(Event::Press(x, y));
-    way[1..].iter().for_each(|(x, y)| drop(session.handle(Event::Move(*x, *y))));
-    session.handle(Event::Release(last_x, last_y));
-}
-
-fn click_middle(session: &mut Session) {
-    let at = place(session, (0.5, 0.5));
-    drag(session, &[at]);
+fn pinned(session: &Session) -> Option<(usize, usize)> {
+    session.desk().pinned().map(|pixel| (pixel.col, pixel.row))
 }
 
 /// The first place beside the picture where a press does what is asked for; each is let go again.
 fn found(session: &mut Session, mut is_it: impl FnMut(&mut Session) -> bool) -> (f32, f32) {
     let area = session.picture_area();
     let places = (0..540).step_by(6).flat_map(|y| (0..960).step_by(6).map(move |x| (x, y)));
-    let places = places.map(|(x, y)| (x as f32, y as f32)).filter(|at| !area.contains(*at));
-    for (x, y) in places {
-        session.handle(Event::Press(x, y));
+    let mut places = places.map(|(x, y)| (x as f32, y as f32)).filter(|at| !area.contains(*at));
+    let place = places.find(|(x, y)| {
+        session.handle(Event::Press(*x, *y));
         let is_it = is_it(session);
-        session.handle(Event::Release(x, y));
-        if is_it {
-            return (x, y);
-        }
-    }
-    panic!("nowhere beside the picture");
+        session.handle(Event::Release(*x, *y));
+        is_it
+    });
+    place.expect("somewhere beside the picture")
 }
 
 #[test]
@@ -140,11 +99,11 @@ fn arrows_select_every_control_and_change_it() {
     assert_eq!(session.selected(), Some("radius"));
     // What is selected stays so where the other step has it.
     let mut session = lecture(5);
-    keys(&mut session, &[Key::Down, Key::PageDown]);
+    keys(&mut session, &[Key::Down, Key::Char('7')]);
     assert_eq!(session.selected(), Some("red.k_s"), "folded away, so the first one");
-    keys(&mut session, &[Key::PageUp, Key::Char('4')]);
+    keys(&mut session, &[Key::Char('6'), Key::Char('4')]);
     assert_eq!(session.selected(), Some("red.center.x"), "step 04 lacks the other");
-    keys(&mut session, &[Key::Down, Key::PageDown]);
+    keys(&mut session, &[Key::Down, Key::Char('5')]);
     assert_eq!(session.selected(), Some("red.center.y"));
 }
 
@@ -152,19 +111,16 @@ fn arrows_select_every_control_and_change_it() {
 fn a_click_pins_as_long_as_it_does_not_move() {
     let mut session = single(6);
     let at = place(&session, (0.52, 0.48));
-    let pinned = |session: &Session| session.desk().pinned().map(|pixel| (pixel.col, pixel.row));
     // A drag that ends where it began is none.
-    let away = (at.0 - 30.0, at.1 + 20.0);
-    drag(&mut session, &[at, away, at]);
+    drag(&mut session, &[at, (at.0 - 30.0, at.1 + 20.0), at]);
     assert_eq!(pinned(&session), None, "it was a drag");
-    let off = session.desk().setup().view().azimuth - setup(6).view().azimuth;
+    let off = view(&session).azimuth - setup(6).view().azimuth;
     assert!(off.abs() < 1e-4, "and it went back");
-    session.handle(Event::Press(at.0, at.1));
     // A hand trembles; it pins where it pressed.
+    session.handle(Event::Press(at.0, at.1));
     assert_eq!(session.handle(Event::Move(at.0 + 2.0, at.1)), []);
     session.handle(Event::Release(at.0 + 2.0, at.1));
-    let expected = (0.52 * 320.0, 0.48 * 180.0);
-    assert_eq!(pinned(&session), Some((expected.0 as usize, expected.1 as usize)));
+    assert_eq!(pinned(&session), Some((166, 86)), "0.52 of 320 and 0.48 of 180");
     assert!(session.note().is_some_and(|note| note.contains("(166, 86)")), "{:?}", session.note());
     for pin in [Key::Enter, Key::Char('P')] {
         let mut session = single(6);
@@ -179,26 +135,26 @@ fn a_click_pins_as_long_as_it_does_not_move() {
 #[test]
 fn a_drag_orbits_and_the_wheel_zooms() {
     let mut session = single(6);
-    let start = session.desk().setup().view().clone();
+    let start = view(&session);
     let (x, y) = place(&session, (0.5, 0.5));
     // In however many moves.
     drag(&mut session, &[(x, y), (x + 70.0, y), (x - 30.0, y + 20.0)]);
-    let (view, degrees) =
-        (session.desk().setup().view().clone(), 180.0 / session.picture_area().height);
-    let near =
-        |found: f32, expected: f32| assert!((found - expected).abs() < 0.01, "{found} {expected}");
-    near(view.azimuth - start.azimuth, 30.0 * degrees);
-    near(view.elevation - start.elevation, 20.0 * degrees);
-    assert_eq!(session.desk().pinned(), None);
+    let (turned, degrees) = (view(&session), 180.0 / session.picture_area().height);
     session.handle(Event::Wheel(2.0));
-    near(session.desk().setup().view().distance / view.distance, 0.81);
-    assert_eq!(session.handle(Event::Move(x, y)), [], "the button is up");
+    for (found, expected) in [
+        (turned.azimuth - start.azimuth, 30.0 * degrees),
+        (turned.elevation - start.elevation, 20.0 * degrees),
+        (view(&session).distance / turned.distance, 0.81),
+    ] {
+        assert!((found - expected).abs() < 0.01, "{found} {expected}");
+    }
+    assert_eq!((pinned(&session), session.handle(Event::Move(x, y))), (None, vec![]), "it is up");
     // What is left for another window is let go.
     session.handle(Event::Press(x, y));
     session.handle(Event::FocusLost);
     assert_eq!(session.handle(Event::Move(x + 50.0, y)), []);
     session.handle(Event::Release(x, y));
-    assert_eq!(session.desk().pinned(), None);
+    assert_eq!(pinned(&session), None);
     let mut session = lecture(6);
     key(&mut session, Key::Tab);
     assert!(session.desk().is_holding());
@@ -206,12 +162,11 @@ fn a_drag_orbits_and_the_wheel_zooms() {
     assert!(!session.desk().is_holding(), "Tab was let go elsewhere");
     // From outside, a light is dragged; the nearest of what is near.
     let mut session = single(6);
-    key(&mut session, Key::Char('O'));
-    let area = session.picture_area();
+    typed(&mut session, "O");
     let camera = session.desk().seen_from().camera(320.0 / 180.0);
-    let sight = Sight { step: &*step(6), camera: &*camera, area };
-    let key_light = sight.at(Vec3::new(4.0, 6.0, 5.0)).expect("it is seen");
-    drag(&mut session, &[(key_light.0 + 3.0, key_light.1), (key_light.0 - 40.0, key_light.1)]);
+    let sight = Sight { step: &*step(6), camera: &*camera, area: session.picture_area() };
+    let (x, y) = sight.at(Vec3::new(4.0, 6.0, 5.0)).expect("the key light is seen");
+    drag(&mut session, &[(x + 3.0, y), (x - 40.0, y)]);
     let moved = settings(&session);
     assert!(!moved.is_empty() && moved.iter().all(|it| it.starts_with("key.light.")), "{moved:?}");
 }
@@ -241,38 +196,41 @@ fn a_slider_is_dragged_to_its_ends_and_its_name_changes_nothing() {
 #[test]
 fn the_wheel_beside_the_picture_scrolls_and_a_click_on_a_heading_folds() {
     let mut session = single(6);
-    let distance = session.desk().setup().view().distance;
-    session.handle(Event::Move(900.0, 200.0));
-    session.handle(Event::Wheel(-3.0));
-    click_middle(&mut session);
+    let distance = view(&session).distance;
+    let beside = |session: &mut Session, notches: f32| {
+        session.handle(Event::Move(900.0, 200.0));
+        session.handle(Event::Wheel(notches));
+        paint(session)
+    };
+    beside(&mut session, -3.0);
+    click(&mut session, (0.5, 0.5));
     key(&mut session, Key::Down);
     let top = paint(&mut session);
     let bar = |image: &RgbImage| {
         (0..540).filter(|row| image.get_pixel(956, *row).0 == [128, 140, 160]).min()
     };
-    session.handle(Event::Move(900.0, 200.0));
-    session.handle(Event::Wheel(-3.0));
-    let lower = paint(&mut session);
+    let lower = beside(&mut session, -3.0);
     assert!(bar(&top).is_some() && bar(&top) < bar(&lower), "the scroll bar goes down");
     // As far as there is something, and no farther; and so back.
-    session.handle(Event::Wheel(-500.0));
-    let bottom = paint(&mut session);
-    session.handle(Event::Wheel(1.0));
-    assert!(bar(&paint(&mut session)) < bar(&bottom), "one notch back is seen");
-    session.handle(Event::Wheel(50.0));
-    assert!(paint(&mut session) == top);
-    assert_eq!(session.desk().setup().view().distance, distance);
-    // The first row of the explanation is the pixel, the second the section.
-    let heading = (session.picture_area().right() + 100.0, 2.8 * 0.0385 * 540.0);
-    drag(&mut session, &[heading]);
-    assert!(paint(&mut session) != top);
-    drag(&mut session, &[heading]);
-    assert!(paint(&mut session) == top);
+    let [bottom, above] = [-500.0, 1.0].map(|notches| beside(&mut session, notches));
+    assert!(bar(&above) < bar(&bottom), "one notch back is seen");
+    assert!(beside(&mut session, 50.0) == top);
+    assert_eq!(view(&session).distance, distance);
+    // Some way down the explanation stands a section.
+    let right = session.picture_area().right();
+    let is_folded = (2..40).map(|row| (right + 100.0, 6.0 * row as f32)).any(|heading| {
+        let folds = [true, false].map(|is_folded| {
+            drag(&mut session, &[heading]);
+            (paint(&mut session) != top) == is_folded
+        });
+        folds == [true, true]
+    });
+    assert!(is_folded, "a second click on what the first folds unfolds it");
 }
 
 #[test]
 fn the_picture_keeps_its_shape_and_nothing_lies_over_it() {
-    for index in 0..STEPS.len() {
+    for (index, name) in STEPS.iter().enumerate() {
         let mut session = single(index);
         for (width, height) in
             [(640, 360), (960, 540), (400, 700), (1, 1), (120, 2000), (2000, 30), (1920, 1080)]
@@ -284,7 +242,7 @@ fn the_picture_keeps_its_shape_and_nothing_lies_over_it() {
             assert!((area.width - area.height * 16.0 / 9.0).abs() <= 2.0, "{area:?}");
             assert!(area.width >= 0.6 * width as f32 || width * 9 != height * 16, "{area:?}");
             let picture = pictures_of(session.desk(), session.shown_size()).remove(0);
-            assert!(cropped(&session, &image) == picture, "{}: {width}x{height}", STEPS[index]);
+            assert!(cropped(&session, &image) == picture, "{name}: {width}x{height}");
         }
     }
     let mut session = single(6);
@@ -309,25 +267,25 @@ fn a_ring_is_around_the_pinned_pixel_where_it_is_seen() {
         let picture = cropped(session, &image);
         let ringed = picture.enumerate_pixels().filter(|(.., pixel)| pixel.0 == [255, 208, 64]);
         let (cols, rows): (Vec<u32>, Vec<u32>) = ringed.map(|(col, row, _)| (col, row)).unzip();
-        let middle = |places: &[u32]| places.iter().sum::<u32>() as f32 / places.len() as f32;
-        (!cols.is_empty()).then(|| {
-            (middle(&cols) / picture.width() as f32, middle(&rows) / picture.height() as f32)
-        })
+        let middle = |places: &[u32], all: u32| {
+            places.iter().sum::<u32>() as f32 / (places.len() as u32 * all) as f32
+        };
+        let (width, height) = picture.dimensions();
+        (!cols.is_empty()).then(|| (middle(&cols, width), middle(&rows, height)))
     };
     let mut session = single(6);
     // In the sky, where no arrow begins.
-    let at = place(&session, (0.3, 0.1));
-    drag(&mut session, &[at]);
+    click(&mut session, (0.3, 0.1));
     let (across, down) = ring(&mut session).expect("a ring");
     assert!((across - 0.3).abs() < 0.01 && (down - 0.1).abs() < 0.01, "{across} {down}");
-    key(&mut session, Key::Char('O'));
+    typed(&mut session, "O");
     assert_eq!(ring(&mut session), None, "it is not seen from outside");
     keys(&mut session, &[Key::Char('O'), Key::Escape]);
     assert_eq!(ring(&mut session), None, "it is unpinned");
     // Vectors are shown and hidden.
-    click_middle(&mut session);
-    let images = [Key::Char('V'), Key::Char('V')].map(|pressed| {
-        key(&mut session, pressed);
+    click(&mut session, (0.5, 0.5));
+    let images = ["V", "V"].map(|pressed| {
+        typed(&mut session, pressed);
         paint(&mut session)
     });
     assert!(cropped(&session, &images[0]) != cropped(&session, &images[1]));
@@ -350,7 +308,7 @@ fn how_the_picture_was_made_stands_where_nothing_else_does() {
     for language in Language::all() {
         language.speak();
         for (index, name) in STEPS.iter().enumerate() {
-            let mut session = wide(Session::new(Desk::new(lecture::programs(), index)));
+            let mut session = window(Desk::new(programs(), index));
             let (image, right) = (paint(&mut session), session.picture_area().right() as u32);
             let edge = imageops::crop_imm(&image, 0, 534, right, 6).to_image();
             assert!(edge.pixels().all(|it| it.0 == BACKGROUND), "{name}, {language:?}");
@@ -361,25 +319,27 @@ fn how_the_picture_was_made_stands_where_nothing_else_does() {
 #[test]
 fn two_steps_are_compared_by_a_line_or_by_their_difference() {
     let mut session = lecture(6);
-    key(&mut session, Key::Char('D'));
+    typed(&mut session, "D");
     let (x, y) = place(&session, (0.5, 0.5));
     drag(&mut session, &[(x, y), (x + 100.0, y)]);
     let sides = pictures_of(session.desk(), session.shown_size());
     let image = paint(&mut session);
     assert!(sides[0] != sides[1]);
     for (col, row, before) in sides[0].enumerate_pixels() {
-        let expected = match (col as f32) - (x + 100.0) {
-            off if off < -6.0 => before,
-            off if off > 6.0 => sides[1].get_pixel(col, row),
-            _ => continue,
-        };
-        assert_eq!(image.get_pixel(col, row), expected, "{col} {row}");
+        let off = col as f32 - (x + 100.0);
+        let expected = if off < 0.0 { before } else { sides[1].get_pixel(col, row) };
+        assert!(off.abs() <= 6.0 || image.get_pixel(col, row) == expected, "{col} {row}");
     }
-    key(&mut session, Key::Char('X'));
-    let (image, panels) = (paint(&mut session), side_by_side(&sides[0], &sides[1]));
-    let (width, height) = sides[0].dimensions();
-    let expected = imageops::crop_imm(&panels, 2 * width, 0, width, height).to_image();
-    assert!(cropped(&session, &image) == expected);
+    typed(&mut session, "X");
+    let image = paint(&mut session);
+    // Below what says which colour is more light and which is less.
+    for (col, row, before) in sides[0].enumerate_pixels().filter(|(_, row, _)| *row > 40) {
+        let [r, _, b] = image.get_pixel(col, row).0;
+        let pairs = before.0.into_iter().zip(sides[1].get_pixel(col, row).0);
+        let off = pairs.map(|(before, this)| i32::from(this) - i32::from(before));
+        let most = off.max_by_key(|off| off.abs()).expect("three channels");
+        assert_eq!(most.signum(), (i32::from(r) - i32::from(b)).signum(), "{col} {row}");
+    }
 }
 
 #[test]
@@ -388,48 +348,28 @@ fn what_a_step_tells_anew_is_marked_and_seen_at_once() {
         paint(session).pixels().filter(|pixel| pixel.0 == [150, 225, 150]).count()
     };
     // Where letters are large, what is new is far below the panel's upper edge.
-    for larger in [0, 8] {
+    for (index, larger) in (0..STEPS.len()).flat_map(|index| [(index, 0), (index, 8)]) {
         let pinned = |mut session: Session| {
-            keys(&mut session, &vec![Key::Char('+'); larger]);
-            click_middle(&mut session);
+            typed(&mut session, &"+".repeat(larger));
+            click(&mut session, (0.5, 0.5));
             session
         };
-        for (index, name) in STEPS.iter().enumerate() {
-            let mut session = pinned(lecture(index));
-            assert_eq!(marks(&mut session) > 100, index > 0, "{name}, {larger} times larger");
-            assert_eq!(marks(&mut pinned(single(index))), 0, "{name}");
-            // And when the pixel was pinned before.
-            key(&mut session, Key::PageDown);
-            assert!(marks(&mut session) > 100, "{name}, the step after it");
-        }
-    }
-}
-
-#[test]
-fn symbols_can_be_read_beside_the_picture() {
-    let [red, green, blue] = BACKGROUND;
-    for index in 1..STEPS.len() {
-        let mut session = single(index);
-        click_middle(&mut session);
-        let told = session.desk().explanation().expect("a pixel is pinned");
-        let inks: Vec<Ink> = told.lines().filter_map(|line| symbol_ink(line.symbol())).collect();
-        assert!(
-            inks.len() > 2
-                && inks.iter().all(|ink| ink.contrast(Ink::new(red, green, blue)) >= 4.5)
-        );
+        let (mut session, what) = (pinned(lecture(index)), format!("{index}, {larger} larger"));
+        assert_eq!(marks(&mut session) > 100, index > 0, "{what}");
+        assert_eq!(marks(&mut pinned(single(index))), 0, "{what}");
+        // And when the pixel was pinned before.
+        typed(&mut session, &(index + 2).min(STEPS.len()).to_string());
+        assert!(marks(&mut session) > 100, "{what}, the step after it");
     }
 }
 
 #[test]
 fn no_event_hurts_in_any_window() {
-    let letters = "PVOCDXH+-1237Z".chars().map(Key::Char);
-    let keys: Vec<Key> = letters
-        .chain((0..12).map(Key::F))
-        .chain([Key::Up, Key::Down, Key::Left, Key::Right, Key::Home, Key::Backspace])
-        .chain([Key::Space, Key::Enter, Key::Tab, Key::PageUp, Key::PageDown, Key::Escape])
-        .collect();
+    let letters = "PVOCDXH+-1237Z".chars().map(Key::Char).chain((0..12).map(Key::F));
+    let others = [Key::Up, Key::Down, Key::Left, Key::Right, Key::Home, Key::Backspace, Key::Space];
+    let named = [Key::Enter, Key::Tab, Key::PageUp, Key::PageDown, Key::Escape];
+    let keys: Vec<Key> = letters.chain(others).chain(named).collect();
     for (width, height) in [(1, 1), (120, 400), (400, 20), (64, 36)] {
-        let window = size(width, height);
         let mut session = lecture(0);
         for (turn, pressed) in keys.iter().chain(keys.iter().rev()).enumerate() {
             key(&mut session, *pressed);
@@ -438,7 +378,7 @@ fn no_event_hurts_in_any_window() {
             session.handle(Event::Move(f32::NAN, f32::INFINITY));
             session.handle(Event::Wheel(turn as f32 - 20.0));
             session.handle(Event::Move(at.0, at.1));
-            painted(&mut session, window, "");
+            painted(&mut session, size(width, height), "");
         }
     }
 }

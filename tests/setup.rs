@@ -2,10 +2,6 @@
 
 use std::rc::Rc;
 
-use lecture::step07_specular::Lesson as Specular;
-use lecture::step07_specular::scene::Object;
-use lecture::step07_specular::surface::Surface;
-use proptest::prelude::*;
 use tests::prelude::*;
 
 /// What is seen, to the last bit.
@@ -48,30 +44,23 @@ pub(crate) fn holds(found: &Setup, index: usize, other: usize) -> Result<(), Tes
 #[test]
 fn a_setting_says_whose_it_is_or_means_the_one_that_was_chosen() {
     let mut setup = setup(6);
-    for (name, value) in [
-        ("radius", "0.5"),
-        ("sphere", "green"),
-        ("radius", "0.7"),
-        ("blue.k_s", "1"),
-        ("red sphere.k_s", "0"),
-        ("light", "fill"),
-        ("I", "3"),
-        ("k_s", "0.9"),
-    ] {
+    for setting in
+        "radius=0.5; sphere=green; radius=0.7; blue.k_s=1; red sphere.k_s=0; light=fill; \
+                    I=3; k_s=0.9"
+            .split("; ")
+    {
+        let (name, value) = setting.split_once('=').expect("NAME=VALUE");
         setup.set(name, value).unwrap_or_else(|error| panic!("{error}"));
     }
-    let all = ["red.radius=0.5", "red.k_s=0", "green.radius=0.7", "green.k_s=0.9", "blue.k_s=1"];
-    assert_eq!(setup.settings()[..5], all, "what has no owner means the first, or the chosen one");
-    assert_eq!(setup.settings()[5..], ["fill.I=3"]);
-    setup.reset("radius");
-    setup.reset("no such control");
-    setup.reset("blue.k_s");
-    setup.reset("fill.I");
+    let all = "red.radius=0.5 red.k_s=0 green.radius=0.7 green.k_s=0.9 blue.k_s=1 fill.I=3";
     assert_eq!(
         setup.settings(),
-        ["red.radius=0.5", "red.k_s=0", "green.k_s=0.9"],
-        "no other is put back"
+        words(all),
+        "the first's, where no owner is said, or the chosen one's"
     );
+    ["radius", "no such control", "blue.k_s", "fill.I"].iter().for_each(|name| setup.reset(name));
+    let left = words("red.radius=0.5 red.k_s=0 green.k_s=0.9");
+    assert_eq!(setup.settings(), left, "no other is put back");
     let said = |error: Result<(), SettingError>| error.expect_err("it is refused").to_string();
     assert!(said(setup.set("sphere", "gren")).contains("red | green | blue"));
     assert!(said(setup.set("green.fov", "9")).contains("green.radius"), "only what it has");
@@ -79,6 +68,9 @@ fn a_setting_says_whose_it_is_or_means_the_one_that_was_chosen() {
     let mut other = setup.carried_to(make(3));
     other.set("radius", "0.6").expect("it takes that");
     assert_eq!(other.settings(), ["red.radius=0.5"], "0.6 is the green sphere's");
+    // Where the chosen one is not, the only one is meant.
+    let mut one = setup.carried_to(make(4));
+    assert_eq!(one.set("I", "3"), Ok(()));
     other.orbit(30.0, 5.0);
     assert_ne!(other.settings(), ["red.radius=0.5"], "the view was moved");
 }
@@ -124,26 +116,17 @@ impl Step for Ranged {
 #[test]
 fn a_point_is_moved_as_far_as_it_goes() {
     let mut setup = setup(6);
-    let blue = |setup: &Setup| {
-        let points = setup.points().into_iter();
-        points.filter(|point| point.of == Some(("sphere", "blue sphere"))).collect::<Vec<_>>()
-    };
-    let center = blue(&setup).remove(0);
-    assert_eq!(
-        (center.name, center.position),
-        ("center", Vec3::new(1.05, 0.5, 1.5)),
-        "where it is"
-    );
-    setup.move_point(&center, Vec3::new(-1.0, 99.0, f32::NAN));
-    let why = "up to the end of its range, and what is no number is left";
-    assert_eq!(blue(&setup)[0].position, Vec3::new(-1.0, 3.0, 1.5), "{why}");
-    assert_eq!(setup.settings(), ["blue.center.x=-1", "blue.center.y=3"]);
     let owners: Vec<_> = setup.points().iter().map(|point| (point.name, point.of)).collect();
     let sphere = |which| ("center", Some(("sphere", which)));
     let light = |which| ("light", Some(("light", which)));
     let spheres = ["red sphere", "green sphere", "blue sphere"].map(sphere);
-    assert_eq!(owners[..3], spheres);
-    assert_eq!(owners[3..], ["key light", "fill light"].map(light));
+    assert_eq!(owners, [&spheres[..], &["key light", "fill light"].map(light)].concat());
+    let center = setup.points().swap_remove(2);
+    assert_eq!(center.position, Vec3::new(1.05, 0.5, 1.5), "where it is");
+    setup.move_point(&center, Vec3::new(-1.0, 99.0, f32::NAN));
+    let why = "up to the end of its range, and what is no number is left";
+    assert_eq!(setup.points()[2].position, Vec3::new(-1.0, 3.0, 1.5), "{why}");
+    assert_eq!(setup.settings(), ["blue.center.x=-1", "blue.center.y=3"]);
 }
 
 /// The last step with its scene changed, as a student does.
@@ -193,16 +176,14 @@ fn with_nothing_left_nothing_panics() {
                 assert!(!seen(&setup).is_empty(), "'{}' at {fraction} has a picture", setting.name);
             }
         }
-        let pixel = Pixel { col: 1, row: 1, width: 3, height: 3 };
-        let told = setup.step().explain(&*setup.view().camera(1.0), pixel);
-        assert!(told.color.is_finite(), "it is explained");
+        assert!(explained(&setup, (1, 1), size(3, 3)).color.is_finite(), "it is explained");
     }
     let mut setup = without(true, true);
     assert!(setup.set("sphere", "red").is_err(), "there is nothing to choose from");
-    let mut one = self::setup(4);
-    assert_eq!(one.set("light", "key"), Ok(()), "one light can be named");
-    assert_eq!(one.set("key.I", "3"), Ok(()), "and is told by its name or without");
-    assert_eq!(one.settings(), ["I=3"]);
     let background = Color::new(0.03, 0.05, 0.09).to_array().map(f32::to_bits);
     assert!(seen(&setup).iter().all(|color| *color == background), "all is background");
+    let mut one = self::setup(4);
+    let named = [one.set("light", "key"), one.set("key.I", "3")];
+    assert_eq!(named, [Ok(()), Ok(())], "one light is told by its name or without");
+    assert_eq!(one.settings(), ["I=3"]);
 }

@@ -27,43 +27,43 @@ fn lit(degrees: f32, paint: Paint, lights: &[Light]) -> Scene {
     Scene { lights: lights.to_vec(), epsilon: UNSHADOWED, ..scene }
 }
 
-/// The colour of the world's origin, seen from `eye`.
 fn seen(scene: &Scene, eye: Vec3) -> Color {
     trace(scene, &Ray::new(eye, -eye.normalize()))
 }
 
 #[test]
 fn diffuse_light_follows_its_law() {
-    let half = "a face turned by 60° intercepts half the light";
-    let far = "twice the distance takes a quarter";
-    let near_by = "l is a unit vector however near the light is";
-    let view = "it does not depend on the view direction";
-    let towards = "n is turned towards the viewer first";
     let below = light(-ABOVE.position, ABOVE.intensity);
     let mut cases = vec![
-        (0.0, ABOVE, EYE, 2.0, "n·l = 1".to_owned()),
-        (60.0, ABOVE, EYE, 1.0, half.to_owned()),
+        (0.0, ABOVE, EYE, 2.0, "n·l = 1"),
+        (60.0, ABOVE, EYE, 1.0, "a face turned by 60° intercepts half the light"),
     ];
     for (r, share) in [(1.0, 8.0), (2.0, 2.0), (8.0, 0.125)] {
-        cases.push((0.0, light(r * Vec3::Y, 8.0), EYE, share, format!("{far}: r = {r}")));
+        cases.push((
+            0.0,
+            light(r * Vec3::Y, 8.0),
+            EYE,
+            share,
+            "twice the distance takes a quarter",
+        ));
     }
     for eye in [[0.5, 9.0, 0.0], [5.0, 0.25, 0.0], [-3.0, 1.0, -3.0], [0.0, 1.0, 7.0]] {
-        cases.push((0.0, ABOVE, Vec3::from(eye), 2.0, view.to_owned()));
+        cases.push((0.0, ABOVE, Vec3::from(eye), 2.0, "it does not depend on the view direction"));
     }
     for r in [1e-1, 1e-3, 1e-6, 1e-9] {
         // Straight down, so that the point looked at is the world's origin to the last bit.
         let close = light(r * Vec3::Y, 8.0 * r * r);
-        cases.push((0.0, close, Vec3::Y, 8.0, format!("{near_by}: r = {r}")));
+        cases.push((0.0, close, Vec3::Y, 8.0, "l is a unit vector however near the light is"));
     }
     for (eye, light, share) in
         [(EYE, ABOVE, 2.0), (-EYE, below, 2.0), (EYE, below, 0.0), (-EYE, ABOVE, 0.0)]
     {
-        cases.push((0.0, light, eye, share, towards.to_owned()));
-        cases.push((180.0, light, eye, share, towards.to_owned()));
+        let why = "n is turned towards the viewer first";
+        cases.extend([0.0, 180.0].map(|degrees| (degrees, light, eye, share, why)));
     }
     for (degrees, light, eye, share, why) in cases {
         let found = seen(&lit(degrees, PAINT, &[light]), eye);
-        let why = format!("L_d = k_d (I/r²) max(0, n·l), n and l of unit length; {why}");
+        let why = format!("L_d = k_d (I/r²) max(0, n·l), n and l of unit length; {why}: {light:?}");
         near("the colour", found, share * PAINT.k_d, &why);
     }
     // The point (3, 4, 0) of a sphere of radius 5, its normal (0.6, 0.8, 0), seen from far outside.
@@ -80,8 +80,7 @@ fn diffuse_light_follows_its_law() {
     let scene = lit(20.0, Paint { k_s: 0.5, p: 8.0, ..PAINT }, &[ABOVE]);
     for alpha in [0.001, 0.3, 4.0, 1000.0] {
         let found = trace(&scene, &Ray::new(EYE, -alpha * EYE.normalize()));
-        let why = "α d is the same ray as d: v has unit length";
-        near("the colour", found, seen(&scene, EYE), why);
+        near("the colour", found, seen(&scene, EYE), "α d is the same ray as d: v has unit length");
     }
 }
 
@@ -198,37 +197,36 @@ fn lights_that_are_not_blocked_add_up() {
     let ball = (Ball { center: Vec3::Y, radius: 0.25 }, PAINT);
     let fill = light(Vec3::new(2.0, 2.0, 0.0), 8.0);
     let alone = seen(&lit(0.0, PAINT, &[fill]), EYE);
-    let blocked = "something is at ε < t < 1 of the shadow ray: only k_a I_a is left";
-    let other = "one light is blocked, the other one still adds its part";
-    let off = "no t lies in 1 < t < 1: the light adds its part whatever stands between";
     let plain = (patch(0.0), PAINT);
     for between in [scene(&[ball], &[plain]), scene(&[], &[plain, (small, PAINT)])] {
-        for (epsilon, lights, rest, why) in [
-            (1e-3, vec![ABOVE], Color::ZERO, blocked),
-            (1e-3, vec![ABOVE, fill], alone, other),
-            (1e-3, vec![fill, ABOVE], alone, other),
-            (UNSHADOWED, vec![ABOVE], PAINT.k_d * 2.0, off),
+        for (epsilon, lights, rest) in [
+            (1e-3, &[ABOVE][..], Color::ZERO),
+            (1e-3, &[ABOVE, fill], alone),
+            (1e-3, &[fill, ABOVE], alone),
+            (UNSHADOWED, &[ABOVE], PAINT.k_d * 2.0),
         ] {
+            let lights = lights.to_vec();
             let scene = Scene { epsilon, lights, ambient: 1.0, ..between.clone() };
+            let why = "what is blocked at ε < t < 1 adds nothing, the others and k_a I_a still do";
             near("the colour", seen(&scene, EYE), PAINT.k_a + rest, why);
         }
     }
-    let [second, third] =
-        [light(Vec3::new(-2.0, 1.0, 0.5), 3.0), light(Vec3::new(1.0, 2.0, -1.0), 5.0)];
     let look = |ambient, lights: &[Light]| {
         let scene = lit(10.0, Paint { k_s: 0.5, p: 8.0, ..PAINT }, lights);
         seen(&Scene { ambient, ..scene }, EYE)
     };
+    let second = light(Vec3::new(-2.0, 1.0, 0.5), 3.0);
+    let third = light(Vec3::new(1.0, 2.0, -1.0), 5.0);
     let [one, two, three] = [ABOVE, second, third].map(|light| look(0.0, &[light]));
     let dark = one.min(two).min(three).cmple(Color::ZERO).any();
     assert!(!dark, "each of three lights alone should add something");
     for (ambient, lights, sum) in [
-        (4.0, vec![], Color::ZERO),
-        (0.5, vec![third, ABOVE], three + one),
-        (0.5, vec![ABOVE, second, third], one + two + three),
+        (4.0, &[][..], Color::ZERO),
+        (0.5, &[third, ABOVE], three + one),
+        (0.5, &[ABOVE, second, third], one + two + three),
     ] {
         let why = "L = k_a I_a + the sum of L_d + L_s over all lights";
-        near("the colour", look(ambient, &lights), PAINT.k_a * ambient + sum, why);
+        near("the colour", look(ambient, lights), PAINT.k_a * ambient + sum, why);
     }
 }
 

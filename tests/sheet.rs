@@ -3,7 +3,6 @@
 use std::collections::HashMap;
 use std::mem;
 
-use fastrand::Rng;
 use lecture::step07_specular::lecture_scene::lecture_scene;
 use tests::prelude::*;
 
@@ -15,15 +14,14 @@ use crate::equation::tight;
 /// What is too small for f32.
 const SMALLEST: f64 = 1e-30;
 
-/// The floor's and the pyramid's triangles, in the order of the scene.
-const TRIANGLES: [[[f32; 3]; 3]; 6] = [
-    [[-20.0, 0.0, -20.0], [20.0, 0.0, 20.0], [20.0, 0.0, -20.0]],
-    [[-20.0, 0.0, -20.0], [-20.0, 0.0, 20.0], [20.0, 0.0, 20.0]],
-    [[0.7, 0.0, -0.1], [2.5, 0.0, 0.3], [1.7, 1.9, -0.9]],
-    [[2.5, 0.0, 0.3], [2.9, 0.0, -1.5], [1.7, 1.9, -0.9]],
-    [[2.9, 0.0, -1.5], [1.1, 0.0, -1.9], [1.7, 1.9, -0.9]],
-    [[1.1, 0.0, -1.9], [0.7, 0.0, -0.1], [1.7, 1.9, -0.9]],
+/// The floor's and the pyramid's vertices, and which of them the triangles have, in the order of the scene.
+#[rustfmt::skip]
+const VERTICES: [[f32; 3]; 9] = [
+    [-20.0, 0.0, -20.0], [20.0, 0.0, 20.0], [20.0, 0.0, -20.0], [-20.0, 0.0, 20.0],
+    [0.7, 0.0, -0.1], [2.5, 0.0, 0.3], [2.9, 0.0, -1.5], [1.1, 0.0, -1.9], [1.7, 1.9, -0.9],
 ];
+const TRIANGLES: [[usize; 3]; 6] =
+    [[0, 1, 2], [0, 3, 1], [4, 5, 8], [5, 6, 8], [6, 7, 8], [7, 4, 8]];
 
 /// A step with controls moved by chance, and where they stand, by name: of which object what.
 pub(crate) struct Moved {
@@ -48,7 +46,6 @@ impl Moved {
     }
 }
 
-/// The value's numbers; none of a word.
 fn quantity(value: impl Into<Value>) -> Option<Quantity> {
     let exact = |number: f32| Number::exact(number.into());
     match value.into() {
@@ -122,7 +119,7 @@ impl<'a> Sheet<'a> {
                         self.object = inner.name;
                         // The scene begins with three spheres.
                         if let Some(abc) = place.checked_sub(3).and_then(|at| TRIANGLES.get(at)) {
-                            self.tell_all(["a", "b", "c"], abc.map(Vec3::from));
+                            self.tell_all(["a", "b", "c"], abc.map(|at| VERTICES[at].into()));
                         }
                         place += 1;
                     }

@@ -6,6 +6,7 @@ use std::fs;
 
 use tests::prelude::*;
 
+use crate::exercises::change;
 use crate::exercises::copy;
 
 /// The step, by its number, and the file; then the line, what becomes of it, and what is said.
@@ -53,7 +54,7 @@ fn slips_are_answered_as_they_were() {
     let copy = copy();
     let (mut table, mut wrong) = (String::new(), Vec::new());
     for Slip { step, file, from, to, said: known } in slips() {
-        let output = copy.check(step, &[(file, from, to)]);
+        let output = copy.check(step, &[change(file, from, to)]);
         let said = said(&String::from_utf8_lossy(&output.stdout));
         let entry = format!("{step} {file}\n    {from}\n    {to}\n    {said}\n");
         say(&entry);

@@ -49,14 +49,10 @@ fn source_reads_well() {
     for (line, rule) in [
         ("    use common::*;", "one item"),
         ("// as in step 4", "no step's number"),
-        ("let step05_color = 1;", "no step's number"),
         ("    for light in &self.lights[..self.lit] {", "no switch"),
-        ("    #[inline]", "no switch"),
         ("let h = v + l; // NEW", "no NEW"),
         ("// -------- spheres", "no rulers"),
         ("    radius: f32,  // in metres", "no column alignment"),
-        ("use std::fmt::Write as _;", ""),
-        ("use common::prelude::*;", ""),
         ("    /// The next step of `Step`, for a new Newton iteration: 2 * 3 / 4 - 5 // 6", ""),
         ("    let split = slit + polite; // nothing is lighted twice", ""),
     ] {

@@ -99,22 +99,14 @@ fn a_sum_adds_each_term_of_its_block_once() {
         say.sum("L", sum);
         say.sum("empty", Color::ZERO);
     });
-    let scopes = told.told.all();
-    let sums = scopes.iter().filter(|scope| scope.name == "sum").map(|scope| {
-        let lines = scope.lines().map(|line| (line.symbol(), red(line.value)));
-        lines.collect::<Vec<_>>()
-    });
-    let expected = [
-        vec![("L_a", 16.0), ("L_d", 32.0), ("L", 48.0)],
-        // Each by what it is of.
-        vec![("L_a", 1.0), ("key light", 6.0), ("mirror", 24.0), ("L", 31.0)],
-        vec![("empty", 0.0)],
-    ];
-    assert_eq!(sums.collect::<Vec<_>>(), expected);
-}
-
-fn red(value: Value) -> f32 {
-    Color::try_from(value).map_or(f32::NAN, |color| color.x)
+    let red = |value: Value| Color::try_from(value).map_or(f32::NAN, |color| color.x);
+    let scopes = told.told.all().into_iter().filter(|scope| scope.is_sum());
+    let sums = scopes.map(|scope| scope.lines().map(|it| (it.symbol(), red(it.value))).collect());
+    let sums: Vec<Vec<(&str, f32)>> = sums.collect();
+    // Each by what it is of.
+    let of_all = vec![("L_a", 1.0), ("key light", 6.0), ("mirror", 24.0), ("L", 31.0)];
+    let expected = [vec![("L_a", 16.0), ("L_d", 32.0), ("L", 48.0)], of_all, vec![("empty", 0.0)]];
+    assert_eq!(sums, expected);
 }
 
 #[test]

@@ -1,9 +1,8 @@
 //! What is drawn over a picture: each thing told is where it is in the world, dashed where it is
 //! hidden, and nothing else.
 
-use lecture::step07_specular::Lesson as Specular;
 use proptest::array::uniform3;
-use proptest::prelude::*;
+use show::drag;
 use tests::prelude::*;
 
 const SIZE: (usize, usize) = (480, 270);
@@ -31,13 +30,6 @@ fn beside(ray: &Ray, point: Vec3) -> f32 {
 fn pixel(u: f32, v: f32, (width, height): (usize, usize)) -> Pixel {
     let at = |part: f32, all: usize| ((part * all as f32) as usize).min(all - 1);
     Pixel { col: at(u, width), row: at(1.0 - v, height), width, height }
-}
-
-/// What is drawn in [`AREA`] over nothing.
-fn over_black(sight: Sight<'_>, told: Option<&Explanation>, handles: &[Handle]) -> RgbImage {
-    let mut drawn = RgbImage::new(480, 270);
-    draw_vectors(&mut Canvas::new(&mut drawn), sight, told, handles, 0.0);
-    drawn
 }
 
 fn apart(a: (f32, f32), b: (f32, f32)) -> f32 {
@@ -88,40 +80,6 @@ proptest! {
     }
 
     #[test]
-    fn the_tip_of_an_arrow_has_its_color_where_it_is(
-        view in views(), index in 1..7_usize, u in 0.1_f32..0.9, v in 0.1_f32..0.9,
-    ) {
-        let (step, camera) = (step(index), view.camera(ASPECT));
-        let sight = Sight { step: &*step, camera: &*camera, area: AREA };
-        let explanation = step.explain(&*camera, pixel(u, v, SIZE));
-        let drawn = over_black(sight, Some(&explanation), &[]);
-        // The last, because others may be under it; the points are smaller than an arrow.
-        let mut marks = marks(&explanation, 1.0).into_iter().rev();
-        let arrow = marks.find(|mark| matches!(mark.shape, MarkShape::Arrow(..)));
-        let Some(Mark { symbol, shape: MarkShape::Arrow(from, direction) }) = arrow else {
-            return Ok(());
-        };
-        let length = sight.pixel_length(from).map_or(0.0, |length| 0.2 * AREA.height * length);
-        let end = from + length * (direction - from);
-        let Some((start, tip)) = sight.at(from).zip(sight.at(end)) else { return Ok(()) };
-        let far = apart(tip, start);
-        if far < 30.0 || !AREA.inset(5.0).contains(tip) {
-            return Ok(());
-        }
-        let back = 5.0 / far;
-        let (x, y) = (tip.0 - back * (tip.0 - start.0), tip.1 - back * (tip.1 - start.1));
-        let ink = symbol_ink(symbol).expect("it is drawn");
-        let found = drawn.get_pixel(x as u32, y as u32).0;
-        // What is hidden lets through what is under it.
-        let (part, most) = if sight.is_hidden(end) { (150, 105) } else { (255, 0) };
-        let near = found.into_iter().zip(ink.rgb).all(|(found, code)| {
-            let least = i32::from(code) * part / 255;
-            (least - 40..=least + most + 40).contains(&found.into())
-        });
-        prop_assert!(near, "{symbol}: {found:?} at {x}, {y}");
-    }
-
-    #[test]
     fn what_is_dashed_is_what_a_ray_finds_hidden(
         view in views(), from in uniform3(-4.0_f32..4.0), to in uniform3(-4.0_f32..4.0),
     ) {
@@ -160,18 +118,10 @@ proptest! {
 #[test]
 fn symbols_differ_in_color_for_all_eyes() {
     // Machado, Oliveira & Fernandes 2009, without red and without green cones; linear light.
-    let seen: [[[f64; 3]; 3]; 3] = [
-        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-        [
-            [0.152286, 1.052583, -0.204868],
-            [0.114503, 0.786281, 0.099216],
-            [-0.003882, -0.048116, 1.051998],
-        ],
-        [
-            [0.367322, 0.860646, -0.227968],
-            [0.280085, 0.672501, 0.047413],
-            [-0.011820, 0.042940, 0.968881],
-        ],
+    let seen: [[f64; 9]; 3] = [
+        [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0],
+        [0.1523, 1.0526, -0.2049, 0.1145, 0.7863, 0.0992, -0.0039, -0.0481, 1.0520],
+        [0.3673, 0.8606, -0.2280, 0.2801, 0.6725, 0.0474, -0.0118, 0.0429, 0.9689],
     ];
     let linear = |code: u8| (f64::from(code) / 255.0).powf(2.2);
     for symbols in [&["n", "l", "v", "h", "shadow ray's d", "d", "point"][..], &["α", "β", "γ"]]
@@ -179,12 +129,14 @@ fn symbols_differ_in_color_for_all_eyes() {
         for eyes in seen {
             let color = |symbol: &str| {
                 let rgb = symbol_ink(symbol).expect("a colour").rgb.map(linear);
-                eyes.map(|row| {
-                    let light: f64 = row.iter().zip(rgb).map(|(a, b)| a * b).sum();
+                [0, 3, 6].map(|row| {
+                    let light: f64 = eyes[row..].iter().zip(rgb).map(|(a, b)| a * b).sum();
                     255.0 * light.clamp(0.0, 1.0).powf(1.0 / 2.2)
                 })
             };
             for (place, symbol) in symbols.iter().enumerate() {
+                let contrast = symbol_ink(symbol).map(|ink| ink.contrast(Ink::new(21, 24, 31)));
+                assert!(contrast >= Some(4.5), "{symbol} can be read beside the picture");
                 for other in &symbols[..place] {
                     let parts = color(symbol).into_iter().zip(color(other));
                     let far: f64 = parts.map(|(a, b)| (a - b).powi(2)).sum();
@@ -231,16 +183,15 @@ fn survives(step: &dyn Step, handles: &[Handle]) {
         (along.azimuth, along.elevation) = (view.azimuth, view.elevation);
         for (onlooker, area) in [&usual, &inside, &along, &parallel].into_iter().zip(areas) {
             let camera = view.camera(area.width / area.height);
-            let told = [(0.4, 0.5), (0.5, 0.99), (0.5, 0.1)]
-                .map(|(u, v)| Some(step.explain(&*camera, pixel(u, v, (160, 90)))));
-            for (told, from) in
-                told.iter().chain([&None]).flat_map(|told| [(told, None), (told, Some(onlooker))])
-            {
-                let mut drawn = empty.clone();
-                let mut canvas = Canvas::new(&mut drawn);
-                draw_over(&mut canvas, (step, &view), from, told.as_ref(), handles, area);
-                canvas.fill(area, ground);
-                assert!(drawn == empty, "outside of {area:?} is drawn on");
+            for place in [Some((0.4, 0.5)), Some((0.5, 0.99)), Some((0.5, 0.1)), None] {
+                let told = place.map(|(u, v)| step.explain(&*camera, pixel(u, v, (160, 90))));
+                for from in [None, Some(onlooker)] {
+                    let mut drawn = empty.clone();
+                    let mut canvas = Canvas::new(&mut drawn);
+                    draw_over(&mut canvas, (step, &view), from, told.as_ref(), handles, area);
+                    canvas.fill(area, ground);
+                    assert!(drawn == empty, "outside of {area:?} is drawn on");
+                }
             }
         }
     }
@@ -267,19 +218,6 @@ fn all_is_drawn_within_the_area_from_everywhere_wherever_lights_and_objects_are(
     }
 }
 
-#[test]
-fn a_ray_into_the_sky_is_seen_end_on_and_nothing_is_drawn_unasked() {
-    let (step, seen) = (step(6), pixel(0.5, 0.95, SIZE));
-    let camera = step.view().camera(ASPECT);
-    let explanation = step.explain(&*camera, seen);
-    assert_eq!(marks(&explanation, 1.0), []);
-    let sight = Sight { step: &*step, camera: &*camera, area: AREA };
-    let drawn = over_black(sight, Some(&explanation), &[]);
-    let ink = symbol_ink("d").map(|ink| ink.rgb);
-    assert_eq!(Some(drawn.get_pixel(seen.col as u32, seen.row as u32).0), ink);
-    assert!(over_black(sight, None, &[]).pixels().all(|pixel| pixel.0 == [0; 3]));
-}
-
 /// The pixel whose rays are looked at in each step, as (u, v).
 const PINNED: [(f32, f32); 7] =
     [(0.55, 0.6), (0.54, 0.63), (0.52, 0.5), (0.6, 0.4), (0.42, 0.54), (0.34, 0.36), (0.42, 0.54)];
@@ -288,9 +226,10 @@ const PINNED: [(f32, f32); 7] =
 fn they_are_the_committed_pictures() {
     let mut wrong = Vec::new();
     for (index, (u, v)) in PINNED.into_iter().enumerate() {
-        for (kind, projection) in ["pinned", "outside"]
-            .into_iter()
-            .flat_map(|kind| View::PROJECTIONS.map(|projection| (kind, projection)))
+        // From behind the scene its objects hide the window.
+        let kinds = ["pinned", "outside"].into_iter().chain((index == 6).then_some("behind"));
+        for (kind, projection) in
+            kinds.flat_map(|kind| View::PROJECTIONS.map(|projection| (kind, projection)))
         {
             let mut setup = setup(index);
             setup.set("camera", projection).expect("a kind of camera");
@@ -298,7 +237,8 @@ fn they_are_the_committed_pictures() {
             handles.retain(|handle| handle.name != "center");
             let (step, view) = (setup.step(), setup.view());
             let told = step.explain(&*view.camera(ASPECT), pixel(u, v, SIZE));
-            let onlooker = (kind == "outside").then(|| Outside::onlooker(view));
+            let mut onlooker = (kind != "pinned").then(|| Outside::onlooker(view));
+            onlooker.iter_mut().filter(|_| kind == "behind").for_each(|it| it.orbit(165.0, -24.0));
             let mut found = picture(step, onlooker.as_ref().unwrap_or(view), SIZE.0, SIZE.1);
             let mut canvas = Canvas::new(&mut found);
             draw_over(&mut canvas, (step, view), onlooker.as_ref(), Some(&told), &handles, AREA);

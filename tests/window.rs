@@ -5,7 +5,6 @@
 //! Only where a window is one of X11.
 
 use std::cell::RefCell;
-use std::fs;
 use std::fs::File;
 use std::io::BufRead;
 use std::io::BufReader;
@@ -16,7 +15,6 @@ use std::time::Duration;
 use std::time::Instant;
 
 use tempfile::TempDir;
-use tempfile::tempdir;
 use tests::prelude::*;
 
 /// Asks again until there is an answer.
@@ -94,19 +92,29 @@ impl<'a> Running<'a> {
 
     /// A step on a system whose language is `locale`.
     fn start_in(locale: &str, display: &'a Display, index: usize, options: &str) -> Self {
-        let (name, folder) = (STEPS[index], tempdir().expect("a folder"));
+        let title = format!("{}:", STEPS[index]);
+        let folder = tempdir().expect("a folder");
+        Self::open(display, (STEPS[index], &title), (locale, options), folder)
+    }
+
+    /// The program called `name`, whose window's title begins so, in a folder that is the user's too.
+    fn open(
+        display: &'a Display, (name, title): (&str, &str), (locale, options): (&str, &str),
+        folder: TempDir,
+    ) -> Self {
         let file = |name| File::create(folder.path().join(name)).expect("a file");
         let program = program(name)
             .args(words(options))
             .current_dir(folder.path())
             .env("DISPLAY", &display.name)
             .env("LC_ALL", locale)
+            .env("XDG_STATE_HOME", folder.path())
             .stdout(file("output"))
             .stderr(file("errors"))
             .spawn()
             .expect("the step starts");
         let window = until("a window", || {
-            let found = display.ask(&format!("search --onlyvisible --name ^{name}:"))?;
+            let found = display.ask(&format!("search --onlyvisible --name ^{title}"))?;
             Some(found.lines().next()?.to_owned())
         });
         let running = Self { display, folder, program, window };
@@ -129,6 +137,11 @@ impl<'a> Running<'a> {
     /// Waits until standard output says `text`.
     fn prints(&self, text: &str) {
         until(text, || self.said("output").contains(text).then_some(()));
+    }
+
+    /// Waits until that is all that standard output says last.
+    fn prints_last(&self, line: &str) {
+        until(line, || (self.said("output").lines().last() == Some(line)).then_some(()));
     }
 
     /// The exit status, once the program has ended.
@@ -175,8 +188,37 @@ fn keys_and_the_mouse_arrive() {
     let comparison = Comparison::new(&frame.render(), &read_picture(&file(2)), &[]);
     assert!(comparison.is_equal(), "{comparison}");
     // The first unpins.
-    running.act("key Escape key Escape");
+    running.act("key Escape key Escape key ctrl+q");
     assert_eq!(running.ends(), Some(0));
+}
+
+#[test]
+#[ignore = "needs Xvfb and xdotool"]
+fn a_class_ended_by_mistake_goes_on_where_it_was() {
+    let display = Display::start();
+    let open =
+        |folder| Running::open(&display, ("lecture", "."), ("C", "--window 900x506"), folder);
+    // What C prints is what is shown.
+    let suite = lecture::suite();
+    let (tour, _) = suite.tour(suite.tours[0].1);
+    let class = || Desk::new([suite.programs.clone(), suite.figures.clone()].concat(), 0);
+    let at = |number| after(class().touring(vec![tour.clone()]), &[Act::Stop(number)]);
+    let commands: Vec<String> = (1..5).map(|number| at(number).command()).collect();
+    let mut running = open(tempdir().expect("a folder"));
+    for (key, number) in [("Next", 2), ("Next", 3), ("Prior", 2), ("Next", 3), ("Next", 4)] {
+        running.act(&format!("key {key} key c"));
+        running.prints_last(&commands[number - 1]);
+    }
+    running.act("key Escape key b key ctrl+q");
+    assert_eq!((running.ends(), running.said("errors").as_str()), (Some(0), ""));
+    let folder = std::mem::replace(&mut running.folder, tempdir().expect("a folder"));
+    let remembered = fs::read_to_string(folder.path().join("ray-tracing-lecture/class"));
+    assert!(remembered.expect("a file").starts_with("4\n900x506\n"));
+    let running = open(folder);
+    running.act("key c");
+    running.prints_last(&commands[0]);
+    running.act("key t key Return key c");
+    running.prints_last(&commands[3]);
 }
 
 #[test]
@@ -222,7 +264,7 @@ fn a_window_ends_during_a_long_render_and_with_its_display() {
     let display = Display::start();
     let mut running = Running::start(&display, 6, "--size 1920x1080 --samples 16");
     // To be saved when it is complete, which it never is.
-    running.act("key F2 key Escape");
+    running.act("key F2 key Escape key ctrl+q");
     assert_eq!((running.ends(), running.said("errors").as_str()), (Some(0), ""));
     let mut running = Running::start(&display, 1, "");
     running.act("key c");

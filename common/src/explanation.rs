@@ -1,5 +1,7 @@
 //! What a step tells of a pixel, as a tree.
 
+use std::panic::Location;
+
 use crate::Color;
 use crate::LineName;
 use crate::Pixel;
@@ -32,6 +34,8 @@ pub struct Scope {
     pub outcome: Outcome,
     /// What was told, in its order.
     pub parts: Vec<Part>,
+    /// Where in the source it was begun: things that a loop tells of have one place.
+    pub source: &'static Location<'static>,
     /// The light that no sum has taken yet, by name.
     pub(crate) terms: Vec<(&'static str, Color)>,
 }
@@ -67,6 +71,8 @@ pub struct Line {
     pub value: Value,
     /// Where it is in the world, if it is a thing that can be seen there.
     pub place: Option<Place>,
+    /// Where in the source it was told.
+    pub source: &'static Location<'static>,
 }
 
 /// Where something told is in the world.
@@ -113,9 +119,11 @@ impl Line {
 }
 
 impl Scope {
+    #[track_caller]
     pub(crate) fn new(name: &'static str) -> Self {
         // As many lines as are told of most objects, so that the list need not grow.
-        Self { name, outcome: Outcome::Told, parts: Vec::with_capacity(16), terms: Vec::new() }
+        let (parts, terms) = (Vec::with_capacity(16), Vec::new());
+        Self { name, outcome: Outcome::Told, parts, source: Location::caller(), terms }
     }
 
     /// The lines told of it alone, in their order.

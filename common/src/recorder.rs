@@ -1,6 +1,7 @@
 //! The listener that writes down what it is told.
 
 use std::cell::RefCell;
+use std::panic::Location;
 
 use crate::Answer;
 use crate::Color;
@@ -73,12 +74,14 @@ impl Recorder {
         answer.and_then(|answer| answer.value.try_into().ok()).unwrap_or(value)
     }
 
+    #[track_caller]
     fn tell(&self, equation: &'static str, value: impl Into<Value>, place: Option<Place>) {
-        let line = Line { equation, value: value.into(), place };
+        let line = Line { equation, value: value.into(), place, source: Location::caller() };
         self.told.borrow_mut().current_mut().parts.push(Part::Line(line));
     }
 
     /// Tells `value` as it is handed back, at the place that it then has.
+    #[track_caller]
     fn tell_at<T>(&self, equation: &'static str, value: T, place: impl Fn(T) -> Option<Place>) -> T
     where
         T: Copy + Into<Value> + TryFrom<Value>,

@@ -46,6 +46,8 @@ class Controls {
     const id = `${this.prefix}input-${name}`;
     const input = this.input({ name, kind, takes, options });
     Object.assign(input, { id, name });
+    // Not every screen reader reads a label that is a formula.
+    input.setAttribute("aria-label", name);
     const reset = element("button", { type: "button", textContent: "↺" });
     reset.setAttribute("aria-label", `${text("Reset")} ${name}`);
     reset.onclick = () => {
@@ -55,7 +57,7 @@ class Controls {
     const output = element("output", {});
     output.htmlFor = id;
     const row = element("div", { className: "control", id: `${this.prefix}control-${name}` });
-    row.append(element("label", { htmlFor: id }, ...symbol(label)), input, output, reset);
+    row.append(element("label", { htmlFor: id, innerHTML: label }), input, output, reset);
     return row;
   }
 
@@ -78,3 +80,20 @@ class Controls {
 }
 
 const controls = new Controls($("controls"), "", moved);
+/** Those of what is answered otherwise, below the picture so that they are in sight. */
+const answers = new Controls($("answers"), "", moved);
+
+/** Shows all controls; whether something more is answered otherwise than before. */
+function showControls() {
+  const { groups, altered } = state;
+  const count = () => $("answers").querySelectorAll("input").length;
+  const before = count();
+  answers.show(altered ? groups.slice(0, 1) : []);
+  controls.show(altered ? groups.slice(1) : groups);
+  $("answers").hidden = !altered;
+  if (altered) $("answers").querySelector("summary").textContent = altered;
+  if (count() <= before) return false;
+  // Keys act on it, as the first that can be selected.
+  chosen = "";
+  return true;
+}

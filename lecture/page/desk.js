@@ -11,11 +11,13 @@ function does(question, moving = false) {
   } catch (error) {
     return notice(error.message);
   }
+  if (done.said && !done.known) notice(done.said);
   if (!done.known) return done;
   notice(done.said || "");
   if (done.redraw || done.repaint) refresh(!question.do || !question.do.open);
   if (done.redraw) redraw(moving);
   else if (done.repaint) show();
+  if (done.glide) glide();
   return done;
 }
 
@@ -29,9 +31,13 @@ function press(key, down = true, fine = false) {
   if (!done) return true;
   if (done.hand) HANDS[done.hand](fine);
   if (done.save) save();
-  if (done.command) copy(state.command);
+  if (done.command) copy(asked("command"));
   return done.known;
 }
+
+/** Whether another step or another stop is shown. */
+const isElsewhere = (before) => before.step !== state.step
+  || (before.stop && before.stop.number) !== (state.stop && state.stop.number);
 
 /** Reads what the steps' program holds now, and shows it; another step can be come back from. */
 function refresh(keeps) {
@@ -41,10 +47,11 @@ function refresh(keeps) {
   if (said !== language) speak(said);
   const other = !before || before.step !== state.step || before.language !== state.language;
   if (other) showStep();
-  controls.show(state.groups);
-  if (other) choose(selected());
+  if (showControls() || other) choose(selected());
   showStage();
   explain();
+  showCode();
+  showClass();
   read(before);
-  writeAddress(keeps && before && before.step !== state.step ? before.address : "");
+  writeAddress(keeps && before && isElsewhere(before) ? before.address : "");
 }

@@ -75,7 +75,11 @@ class Drawing {
 /** Puts a picture on a canvas of this size, with what lies over it in letters `text` high. */
 function put(canvas, of, [width, height], made, text) {
   const show = { of, size: [width, height], drawn: made.size, text };
-  const rgba = ask({ show }, ...made.rgb);
+  fill(canvas, [width, height], ask({ show }, ...made.rgb));
+}
+
+/** Puts pixels of four bytes on a canvas of this size. */
+function fill(canvas, [width, height], rgba) {
   if (canvas.width !== width || canvas.height !== height)
     [canvas.width, canvas.height] = [width, height];
   const pixels = new Uint8ClampedArray(rgba.buffer, rgba.byteOffset, rgba.length);

@@ -1,30 +1,66 @@
 // How the pinned pixel comes by its colour, and the numbers below the equation's symbols.
 
-/** What the explanation is made of, without its numbers. */
+/** What the explanation is made of, without what else is told of its lines. */
 let told = "";
+const MARKS = ["chosen", "pictured", "altered"];
+const PASSING = ["values", "outcome", ...MARKS];
 
 function explain() {
   const { pin } = state;
   $("unpinned").hidden = Boolean(pin);
+  $("lines").hidden = !pin;
   $("pinned").textContent = pin ? `${text("The pixel")} (${pin.join(", ")})` : text("The pixel");
   const { parts, symbols, seen } = asked("explain") || { parts: [], symbols: [] };
-  const lines = seen ? [...parts, { line: { shown: "seen", values: seen.map(String) } }] : parts;
+  const lines = seen ? [...parts, { line: { math: "seen", values: seen.map(String) } }] : parts;
   const shape = JSON.stringify([language, lines], (key, value) =>
-    (key === "values" || key === "outcome" ? undefined : value));
+    (PASSING.includes(key) ? undefined : value));
   if (shape !== told) {
     told = shape;
+    const focus = document.activeElement.dataset.line;
     $("explanation").replaceChildren(...tellAll(parts, ""));
     if (seen) $("explanation").append(list([tellSeen()]));
+    const again = [...$("explanation").querySelectorAll("[data-line]")];
+    const other = focus && again.find(({ dataset }) => dataset.line === focus);
+    if (other) other.focus({ preventScroll: true });
   }
+  markLines(lines.flatMap(linesOf));
   const places = $("explanation").querySelectorAll("[data-value]");
   for (const [place, value] of lines.flatMap(valuesOf).entries())
     places[place].replaceChildren(...value);
   chooseNumbers(symbols);
 }
 
+const linesOf = ({ line, scope }) => (scope ? scope.parts.flatMap(linesOf) : [line]);
+
+/** The line that keys act on, as it was seen last. */
+let lineOfKeys = "";
+
+/** Marks the lines that are chosen, seen as a picture, or answered otherwise. */
+function markLines(lines) {
+  let keys = "";
+  const rows = $("explanation").querySelectorAll(".lines > div");
+  for (const [place, line] of lines.entries()) {
+    const row = rows[place];
+    for (const mark of MARKS) row.classList.toggle(mark, Boolean(line[mark]));
+    const button = row.querySelector("[aria-pressed]");
+    if (button) button.setAttribute("aria-pressed", String(line.pictured));
+    if (!line.chosen) continue;
+    keys = JSON.stringify(line.name);
+    if (keys !== lineOfKeys) reveal(row);
+  }
+  lineOfKeys = keys;
+}
+
+/** Brings a line into sight, wherever it is folded away. */
+function reveal(row) {
+  for (let fold = row.closest("details"); fold; fold = fold.parentNode.closest("details"))
+    fold.open = true;
+  row.scrollIntoView({ block: "nearest" });
+}
+
 /** What stands at each place for a value of a part, in order. */
 function valuesOf({ line, scope }) {
-  if (scope) return [symbol(scope.outcome), ...scope.parts.flatMap(valuesOf)];
+  if (scope) return [[scope.outcome], ...scope.parts.flatMap(valuesOf)];
   return [[line.values.map((number) => number.padStart(9)).join(" ").trimStart()]];
 }
 
@@ -55,16 +91,42 @@ function tellAll(parts, path) {
   return made;
 }
 
-function tellLine({ shown, ink }) {
-  const term = element("dt", {}, ...symbol(shown));
+/** A line that can be a picture is a button, and one that could have another value has one. */
+function tellLine({ shown, math, ink, name, open }) {
+  const term = element("dt", {});
   if (ink) {
     term.className = "inked";
     term.style.setProperty("--ink", ink);
   }
-  return element("div", {}, term, place("dd", ""));
+  const row = element("div", {}, term, place("dd", ""));
+  if (!name) {
+    term.innerHTML = math;
+    return row;
+  }
+  const show = element("button", { type: "button", innerHTML: math });
+  show.setAttribute("aria-label", shown);
+  show.setAttribute("aria-pressed", "false");
+  show.dataset.line = JSON.stringify(name);
+  term.append(show);
+  row.onclick = () => {
+    // Who selects a number to copy it means that.
+    if (getSelection().isCollapsed) act({ show: name });
+  };
+  if (open) row.append(element("dd", { className: "ask" }, askButton(shown, name)));
+  return row;
 }
 
-const tellSeen = () => tellLine({ shown: text("seen, sRGB 0 to 255") });
+function askButton(shown, name) {
+  const ask = element("button", { type: "button", textContent: "?" });
+  ask.setAttribute("aria-label", `${text("What if")} ${shown}`);
+  ask.onclick = (event) => {
+    event.stopPropagation();
+    act({ otherwise: name });
+  };
+  return ask;
+}
+
+const tellSeen = () => tellLine({ math: text("seen, sRGB 0 to 255") });
 
 /** The light or object whose numbers stand in the equation, if there are several. */
 let numbersOf = "";
@@ -86,11 +148,6 @@ function chooseNumbers([once, ...each]) {
   };
   const values = new Map([...(once ? once.values : []), ...(chosen ? chosen.values : [])]);
   for (const place of $("formula").querySelectorAll("[data-symbol]")) {
-    const found = place.dataset.symbol.split("|").find((name) => values.has(name));
-    place.textContent = found ? values.get(found).map(short).join("\n") : "";
+    place.textContent = (values.get(place.dataset.symbol) || []).join("\n");
   }
 }
-
-/** A number with four digits; words as they are. */
-const short = (number) =>
-  (isNaN(number) ? number : String(Number(Number(number).toPrecision(4))).replace("-", "−"));

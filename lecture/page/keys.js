@@ -19,11 +19,14 @@ const HANDS = {
 /** The control or heading that keys act on, by its id. */
 let chosen = "";
 
+const ROWS = "summary, input, select";
+
 /** What can be selected: headings and controls, as far as they are not folded away. */
-const rows = () => [...$("controls").querySelectorAll("summary, input, select")].filter((row) => {
-  const fold = row.closest("details");
-  return row.tagName === "SUMMARY" || !fold || fold.open;
-});
+const rows = () => [...$("answers").querySelectorAll(ROWS), ...$("controls").querySelectorAll(ROWS)]
+  .filter((row) => {
+    const fold = row.closest("details");
+    return row.tagName === "SUMMARY" || !fold || fold.open;
+  });
 
 function selected() {
   const all = rows();
@@ -80,11 +83,11 @@ function keys() {
   document.addEventListener("mousedown", (event) => {
     if (!event.target.closest("#picture, button, summary")) return;
     event.preventDefault();
-    if (!document.activeElement.closest("#controls")) document.activeElement.blur();
+    if (!document.activeElement.closest("#controls, #answers")) document.activeElement.blur();
   });
   for (const way of ["focusin", "click"])
-    $("controls").addEventListener(way, ({ target }) => {
-      const row = target.closest("summary, input, select");
+    document.addEventListener(way, ({ target }) => {
+      const row = rows().find((other) => other === target.closest(ROWS));
       if (row) choose(row);
     });
 }

@@ -4,10 +4,12 @@ speak(language);
 $("language").onclick = () => (ask ? act({ language: next() }) : speak(next()));
 start().then(() => {
   change({ do: { language } });
+  readTours();
   document.documentElement.classList.add("runs");
   indent();
   hands();
   buttons();
+  readCode();
   keys();
   open(location.hash);
   enliven();

@@ -31,9 +31,21 @@ function change(question) {
   return done;
 }
 
+/** The bytes of a text of which each letter has seven bits. */
+function bytesOf(text) {
+  const bytes = new Uint8Array(text.length * 7 / 8);
+  let [held, bits, place] = [0, 0, 0];
+  for (let at = 0; at < text.length; at++) {
+    held = held << 7 | text.charCodeAt(at) & 127;
+    bits += 7;
+    if (bits >= 8) bytes[place++] = held >> (bits -= 8);
+  }
+  return bytes;
+}
+
 async function start() {
-  const packed = Uint8Array.from(atob($("wasm").textContent), (letter) => letter.charCodeAt(0));
-  const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+  const unpacked = new Blob([bytesOf($("wasm").textContent)]).stream()
+    .pipeThrough(new DecompressionStream("gzip"));
   const module = await WebAssembly.compile(await new Response(unpacked).arrayBuffer());
   ask = asker(await WebAssembly.instantiate(module));
   hire(module);

@@ -14,20 +14,41 @@ function redraw(moving) {
   stage.redraw(moving);
 }
 
-/** Shows the picture that was made last, with what lies over it now. */
+const width = () => Math.max(1, $("picture").clientWidth);
+/** How high letters are on the picture and below it: as beside it, and larger where it is large. */
+const letters = () => Math.max(13, 0.022 * width()) * larger;
+
+/** Shows the picture that was made last, with what lies over it and below it now. */
 function show(made = stage.made) {
   if (!made || made.left) return;
+  showLegend();
   const { size, marked } = state;
-  // As high as the letters beside the picture, larger where the picture is, and no larger than it
-  // can hold.
-  const width = Math.max(1, $("picture").clientWidth);
-  const letters = Math.max(13, 0.022 * width) * larger * size[0] / width;
-  const text = Math.max(8, Math.min(size[1] / 12, letters));
+  // No larger than the picture can hold.
+  const text = Math.max(8, Math.min(size[1] / 12, letters() * size[0] / width()));
   put($("now"), null, marked ? size : made.size, made, text);
+}
+
+/** What the colours of a told line stand for, as wide as the picture. */
+function showLegend() {
+  const { legend } = state;
+  $("legend").hidden = !legend;
+  if (!legend) return;
+  const [words, high] = legend;
+  $("legend").setAttribute("aria-label", words);
+  const text = letters() * devicePixelRatio;
+  drawLegend($("legend"), [width() * devicePixelRatio, high * text].map(Math.round), text, false);
+}
+
+function drawLegend(canvas, size, text, altered) {
+  fill(canvas, size, ask({ below: { size, text, altered } }));
 }
 
 /** The letters over the picture are as high as those beside it, however wide it is. */
 new ResizeObserver(() => show()).observe($("picture"));
+/** What is scrolled to is not below the picture. */
+new ResizeObserver(() => {
+  document.documentElement.style.setProperty("--view", `${$("view").offsetHeight}px`);
+}).observe($("view"));
 
 function showStage() {
   const { step, size, pin, divider, holding, vectors, handles, outside } = state;
@@ -65,9 +86,21 @@ async function copy(what) {
   }
 }
 
+/** Saves the picture; that of a told line with its legend below it. */
 function save() {
-  const href = $("now").toDataURL("image/png");
-  element("a", { href, download: `${state.name}.png` }).click();
+  const { legend, name } = state;
+  let picture = $("now");
+  if (legend) {
+    const { width, height } = picture;
+    const text = Math.max(12, Math.min(width, height) / 36);
+    const [below, high] = [element("canvas", {}), Math.round(legend[1] * text)];
+    drawLegend(below, [width, high], text, true);
+    picture = element("canvas", { width, height: height + high });
+    const paper = picture.getContext("2d");
+    paper.drawImage($("now"), 0, 0);
+    paper.drawImage(below, 0, height);
+  }
+  element("a", { href: picture.toDataURL("image/png"), download: `${name}.png` }).click();
 }
 
 /** The buttons: most do what a key does. */

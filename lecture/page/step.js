@@ -1,4 +1,4 @@
-// The texts of a step: its handout, its equation below the picture, its diff; and the list of keys.
+// The texts of a step: its handout, its equation below the picture; and the list of keys.
 
 /** The equation of each handout, which stands below the picture. */
 const formulas = new Map();
@@ -10,7 +10,7 @@ function showStep() {
     else link.removeAttribute("aria-current");
   }
   for (const article of document.querySelectorAll("article"))
-    article.hidden = article !== shown && article.id !== `diff${two(state.step)}`;
+    article.hidden = article !== shown;
   if (!formulas.has(shown)) formulas.set(shown, shown.querySelector(".equation"));
   $("formula").replaceChildren(formulas.get(shown));
   $("formula").lang = language;
@@ -32,11 +32,12 @@ function read(before) {
   const shown = {
     pixel: $("panels"),
     keys: $("keys"),
-    diff: $(`diff${two(step)}`),
+    stops: $("stops"),
+    code: $("code"),
     idea: handout(step),
   }[reading];
   const folded = shown.querySelector("details");
-  if (reading === "diff" || reading === "idea") folded.open = true;
+  if (reading === "code" || reading === "idea") folded.open = true;
   shown.scrollIntoView();
 }
 

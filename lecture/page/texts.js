@@ -53,11 +53,6 @@ function element(name, properties, ...children) {
   return made;
 }
 
-/** `n·l k_d` with its indices below. */
-const symbol = (name) =>
-  name.split(/(?<=(?<![\p{L}_])\p{L})_(\p{L}+)/u)
-    .map((part, at) => (at % 2 ? element("sub", { textContent: part }) : part));
-
 /** What was folded or unfolded by hand. */
 const folds = new Map();
 

@@ -1,4 +1,4 @@
-//! A step's handout and diff as they stand on the page.
+//! A step's handout as it stands on the page.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -131,7 +131,7 @@ fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str) -> Vec<Event<'a>> {
     let number = &name[..6];
     let mut events: Vec<Event<'a>> = Vec::new();
     let (mut links, mut code) = (Vec::new(), None);
-    let mut seen = equation::Seen::default();
+    let mut told = equation::told(name);
     // A figure's file and text, and where the table that it is in begins.
     let mut table = 0;
     let mut caption: Option<(String, String)> = None;
@@ -150,7 +150,7 @@ fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str) -> Vec<Event<'a>> {
             Event::Html(html) | Event::InlineHtml(html)
                 if html.trim_start().starts_with("<!--") => {}
             Event::DisplayMath(latex) => {
-                events.push(Event::InlineHtml(equation::block(&latex, &mut seen).into()));
+                events.push(Event::InlineHtml(equation::block(&latex, &mut told).into()));
             }
             Event::InlineMath(latex) => {
                 events.push(Event::InlineHtml(equation::inline(&latex).into()));
@@ -264,22 +264,4 @@ pub(crate) fn coloured<'a>(lines: impl Iterator<Item = &'a str>) -> String {
         let _ = write!(html, "{tag}{}\n{end}", escape(line));
     }
     html + "</pre>"
-}
-
-/// A committed difference, folded by file.
-pub(crate) fn difference(text: &str) -> String {
-    let mut html = String::new();
-    for file in text.split("diff --git ").skip(1) {
-        let name = file.split_once("+++ b/").and_then(|(_, rest)| rest.lines().next());
-        let changes: Vec<&str> = file.lines().skip_while(|line| !line.starts_with("@@")).collect();
-        let count = |sign| changes.iter().filter(|line| line.starts_with(sign)).count();
-        let (new, gone) = (count('+'), count('-'));
-        let name = escape(name.unwrap_or("/dev/null"));
-        let lines = coloured(changes.into_iter());
-        let _ = writeln!(
-            html,
-            "<details open><summary><code>{name}</code> +{new} −{gone}</summary>{lines}</details>"
-        );
-    }
-    html
 }

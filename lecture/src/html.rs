@@ -20,6 +20,7 @@ use jpeg_encoder::ColorType;
 use jpeg_encoder::Encoder;
 use jpeg_encoder::SamplingFactor;
 use show::Language;
+use show::Tour;
 use show::text;
 
 use crate::PROGRAMS;
@@ -36,6 +37,9 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// glam computes with it, and every browser has had it since 2023.
 const FLAGS: &str = "-Ctarget-feature=+simd128";
 
+/// What equations are set in, as no phone has a font for them.
+const FONT: &[u8] = include_bytes!("../../common/canvas/font/StixTwoMath.woff2");
+
 /// What the page runs.
 const SCRIPT: &str = concat!(
     "\"use strict\";\n",
@@ -47,9 +51,11 @@ const SCRIPT: &str = concat!(
     include_str!("../page/stage.js"),
     include_str!("../page/step.js"),
     include_str!("../page/explanation.js"),
+    include_str!("../page/code.js"),
     include_str!("../page/desk.js"),
     include_str!("../page/controls.js"),
     include_str!("../page/figures.js"),
+    include_str!("../page/class.js"),
     include_str!("../page/hands.js"),
     include_str!("../page/keys.js"),
     include_str!("../page/main.js"),
@@ -64,23 +70,24 @@ fn root() -> &'static Path {
 ///
 /// # Errors
 ///
-/// When a handout, a diff or a picture cannot be read.
-pub fn html(program: &[u8]) -> Result<String> {
+/// When a handout or a picture cannot be read.
+pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
     let root = root();
     let mut packed = GzEncoder::new(Vec::new(), Compression::best());
     packed.write_all(program)?;
-    let wasm = STANDARD.encode(packed.finish()?);
+    let wasm = letters(&packed.finish()?);
     let (mut links, mut articles) = (String::new(), String::new());
-    let mut style = include_str!("../page/style.css").to_owned();
+    let font = STANDARD.encode(FONT);
+    let mut style = format!(
+        "@font-face {{ font-family: Mathematics; src: url(data:font/woff2;base64,{font}); }}\n{}",
+        include_str!("../page/style.css")
+    );
     for program in PROGRAMS {
         let (folder, number) = (root.join(program.name), &program.name[4..6]);
         let _ = writeln!(
             links,
             "<li><a href=\"#step{number}\"><b>{number}</b> <span data-step=\"{number}\"></span></a></li>"
         );
-        let difference = root.join("tests/diffs").join(program.name).with_extension("diff");
-        // There is none of the first step.
-        let difference = fs::read_to_string(difference).unwrap_or_default();
         for language in Language::all() {
             let file = match language {
                 Language::ENGLISH => "README.md".to_owned(),
@@ -88,13 +95,6 @@ pub fn html(program: &[u8]) -> Result<String> {
             };
             let handout = handout::read(&folder.join(file), program.name)?;
             articles.push_str(&article(&handout, number, language.tag()));
-        }
-        if !difference.is_empty() {
-            let _ = writeln!(
-                articles,
-                "<article id=\"diff{number}\"><details class=\"more\"><summary><h3 data-text=\"What is new in the code\">What is new in the code</h3></summary>{}</details></article>",
-                handout::difference(&difference)
-            );
         }
         stills(&folder.join("figures"), &mut style)?;
     }
@@ -109,8 +109,21 @@ pub fn html(program: &[u8]) -> Result<String> {
             ("links", &links),
             ("articles", &articles),
             ("wasm", &wasm),
+            ("tours", &page::tours(tours)?.replace("</", "<\\/")),
         ],
     ))
+}
+
+/// Bytes as text, of which each letter has seven bits: shorter than base64. What HTML does not leave as it
+/// is (a zero, the end of a line, the beginning of a tag) stands 256 letters further on.
+fn letters(bytes: &[u8]) -> String {
+    let bit = |at: usize| bytes.get(at / 8).map_or(0, |byte| byte >> (7 - at % 8) & 1);
+    let letter = |first: usize| (first..first + 7).fold(0, |letter, at| 2 * letter + bit(at));
+    let further = |letter: u8| match letter {
+        b'\0' | b'\r' | b'<' => 256 + u32::from(letter),
+        letter => u32::from(letter),
+    };
+    (0..8 * bytes.len()).step_by(7).filter_map(|at| char::from_u32(further(letter(at)))).collect()
 }
 
 /// Of each language the page's own texts by their English, for its script: those that `sources` have

@@ -28,7 +28,10 @@ pub use html::html;
 #[cfg(not(target_family = "wasm"))]
 use lesson::Lesson;
 use page::Page;
+use show::Code;
 use show::Size;
+#[cfg(not(target_family = "wasm"))]
+use show::Suite;
 #[cfg(not(target_family = "wasm"))]
 use show::translations;
 
@@ -42,9 +45,6 @@ pub struct Program {
     /// Its handout in each language, in Markdown.
     #[cfg(not(target_family = "wasm"))]
     pub handouts: &'static [&'static str],
-    /// Its diff to the step before; "" of the first.
-    #[cfg(not(target_family = "wasm"))]
-    pub diff: &'static str,
 }
 
 /// Hands the steps' names, in the order of the lecture, to a macro: `steps!(the_macro)`, or with
@@ -66,27 +66,21 @@ macro_rules! steps {
 }
 
 macro_rules! programs {
-    ($first:ident $($step:ident)*) => {
-        pub use $first;
+    ($($step:ident)*) => {
         $(pub use $step;)*
 
         /// The steps, in the order of the lecture.
-        pub const PROGRAMS: [Program; 1 + [$(stringify!($step)),*].len()] = [
-            program!($first, ""),
-            $(program!($step, include_str!(concat!("../../tests/diffs/", stringify!($step), ".diff")))),*
-        ];
+        pub const PROGRAMS: [Program; [$(stringify!($step)),*].len()] = [$(program!($step)),*];
     };
 }
 
 macro_rules! program {
-    ($step:ident, $diff:expr) => {
+    ($step:ident) => {
         Program {
             name: stringify!($step),
             make: || Box::new($step::Lesson::default()),
             #[cfg(not(target_family = "wasm"))]
             handouts: translations!(handouts, $step),
-            #[cfg(not(target_family = "wasm"))]
-            diff: $diff,
         }
     };
 }
@@ -101,33 +95,67 @@ macro_rules! handouts {
     };
 }
 
+#[cfg(not(target_family = "wasm"))]
+macro_rules! tours {
+    ($($tag:literal)*) => {
+        vec![
+            ("lecture/tour/en.md", include_str!("../tour/en.md")),
+            $((
+                concat!("lecture/tour/", $tag, ".md"),
+                include_str!(concat!("../tour/", $tag, ".md")),
+            )),*
+        ]
+    };
+}
+
 steps!(programs);
 
-/// The steps as programs of one window, with what their handouts say in short and their diffs.
+/// The steps as programs of one window, with what their handouts say in short and their code.
 #[cfg(not(target_family = "wasm"))]
 pub fn programs() -> Vec<show::Program> {
     let program = |step: Program| {
         // They are shown as long as the window.
-        let mut lessons = step.handouts.iter().map(|handout| {
-            let Lesson { concept, slides, idea } = Lesson::read(handout);
-            (&*concept.leak(), &*slides.leak(), &*idea.leak())
+        let lessons = step.handouts.iter().map(|handout| {
+            let Lesson { concept, idea } = Lesson::read(handout);
+            [&*concept.leak(), &*idea.leak(), *handout]
         });
-        let (concept, slides, idea) = lessons.next().unwrap_or_default();
-        let others = lessons.map(|(concept, _, idea)| [concept, idea]);
-        let texts = std::iter::once([concept, idea]).chain(others).collect();
+        let texts: Vec<_> = lessons.collect();
+        let [concept, idea, handout] = texts.first().copied().unwrap_or_default();
+        let slides = show::Program::slides_of(handout).leak();
         let program = show::Program::new(step.name, concept, Size::DEFAULT, make(step));
-        show::Program { slides, diff: step.diff, idea, texts, ..program }
+        show::Program { slides, code: code(step), idea, handout, texts, ..program }
     };
     PROGRAMS.map(program).to_vec()
 }
 
+/// All that the lecture's command line starts.
+#[cfg(not(target_family = "wasm"))]
+pub fn suite() -> Suite {
+    Suite {
+        name: env!("CARGO_PKG_NAME"),
+        concept: env!("CARGO_PKG_DESCRIPTION"),
+        programs: programs(),
+        figures: FIGURES.map(|(_, figure)| figure()).to_vec(),
+        tours: translations!(tours),
+        page: Some(|tours| html(&build()?, tours)),
+        exercises: None,
+    }
+}
+
 /// What a browser is answered.
 pub fn page() -> Page {
-    let program = |step: Program| show::Program::new(step.name, "", Size::DEFAULT, make(step));
+    let program = |step: Program| {
+        let program = show::Program::new(step.name, "", Size::DEFAULT, make(step));
+        show::Program { code: code(step), ..program }
+    };
     Page::new(PROGRAMS.map(program).to_vec(), &FIGURES)
 }
 
 /// What makes a step.
 fn make(step: Program) -> show::Make {
     Rc::new(move || Box::new(show::Lesson((step.make)())))
+}
+
+fn code(step: Program) -> Rc<Code> {
+    Rc::new(Code::new(source::of(step.name)))
 }

@@ -4,7 +4,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let (name, concept) = (env!("CARGO_PKG_NAME"), env!("CARGO_PKG_DESCRIPTION"));
-    let page = || lecture::html(&lecture::build()?);
-    exercises::lecture(name, concept, lecture::programs(), page)
+    exercises::lecture(lecture::suite())
 }

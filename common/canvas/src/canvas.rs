@@ -7,9 +7,12 @@ use image::imageops;
 
 use crate::Anchor;
 use crate::Area;
+use crate::CodeFont;
 use crate::Font;
 use crate::Ink;
-use crate::font::Part;
+use crate::MathFont;
+use crate::glyphs::Mask;
+use crate::glyphs::Part;
 use crate::shape::NOTHING;
 use crate::shape::Point;
 use crate::shape::Shape;
@@ -214,23 +217,50 @@ impl<'a> Canvas<'a> {
             return;
         }
         let ends = (clip.left.into(), clip.right().into());
-        Font::masks(area, size, text, part, ends, |left, top, mask| {
-            let from = (self.cols.start as i64 - left).clamp(0, mask.width as i64) as usize;
-            let to = (self.cols.end as i64 - left).clamp(0, mask.width as i64) as usize;
-            for (down, coverage) in mask.coverage.chunks_exact(mask.width.max(1)).enumerate() {
-                let row = top + down as i64;
-                if from >= to || row < self.rows.start as i64 || row >= self.rows.end as i64 {
-                    continue;
-                }
-                let start = (left + from as i64) as usize;
-                let pixels = self.row(row as usize, start..start + to - from);
-                for (pixel, covered) in pixels.chunks_exact_mut(3).zip(&coverage[from..to]) {
-                    if *covered > 0 {
-                        ink.lay(pixel, *covered);
-                    }
+        Font::masks(area, size, text, part, ends, |left, top, mask| self.lay(left, top, mask, ink));
+    }
+
+    /// Writes a line of code, whose upper left corner comes to `at`, in [`CodeFont`].
+    pub fn code(&mut self, at: (f32, f32), size: f32, ink: Ink, text: &str) {
+        let area = Area::new(at.0, at.1, CodeFont::width(size, text), Font::line_height(size));
+        let clip = self.clip();
+        if area.inset(-2.0 * area.height).meets(clip) {
+            let ends = (clip.left.into(), clip.right().into());
+            CodeFont::masks(area, size, text, ends, |left, top, mask| {
+                self.lay(left, top, mask, ink)
+            });
+        }
+    }
+
+    /// Draws a letter of an equation with its pen at `pen`, on the baseline: see [`MathFont`].
+    pub fn sign(&mut self, pen: (f32, f32), size: f32, ink: Ink, letter: char) {
+        let draw = |left, top, mask: &Mask| self.lay(left, top, mask, ink);
+        MathFont::mask(pen, size, letter, Part::Letter, draw);
+    }
+
+    /// Draws the edge around [`sign`](Self::sign) that a [`label`](Self::label) has.
+    pub fn sign_edge(&mut self, pen: (f32, f32), size: f32, ink: Ink, letter: char) {
+        let draw = |left, top, mask: &Mask| self.lay(left, top, mask, ink.opposite());
+        MathFont::mask(pen, size, letter, Part::Halo, draw);
+    }
+
+    /// Lays ink where a mask covers pixels, its upper left corner at `left` and `top`.
+    fn lay(&mut self, left: i64, top: i64, mask: &Mask, ink: Ink) {
+        let from = (self.cols.start as i64 - left).clamp(0, mask.width as i64) as usize;
+        let to = (self.cols.end as i64 - left).clamp(0, mask.width as i64) as usize;
+        for (down, coverage) in mask.coverage.chunks_exact(mask.width.max(1)).enumerate() {
+            let row = top + down as i64;
+            if from >= to || row < self.rows.start as i64 || row >= self.rows.end as i64 {
+                continue;
+            }
+            let start = (left + from as i64) as usize;
+            let pixels = self.row(row as usize, start..start + to - from);
+            for (pixel, covered) in pixels.chunks_exact_mut(3).zip(&coverage[from..to]) {
+                if *covered > 0 {
+                    ink.lay(pixel, *covered);
                 }
             }
-        });
+        }
     }
 
     /// Draws each pixel of `picture` as a rectangle.

@@ -25,11 +25,20 @@ pub fn count_off(a: &RgbImage, b: &RgbImage, tolerance: u8) -> usize {
     a.pixels().zip(b.pixels()).filter(|(a, b)| off(a.0, b.0) > tolerance).count()
 }
 
-/// How far each channel of `b` is from that of `a`, a picture of the same size, times eight.
-pub fn magnified(a: &RgbImage, b: &RgbImage) -> RgbImage {
+/// Where there is more light, and where there is less: apart for those who see few colours too.
+pub const MORE: [u8; 3] = [255, 170, 40];
+pub const LESS: [u8; 3] = [70, 150, 255];
+
+/// How far `b` is from `a`, a picture of the same size: the channel that is off furthest, four times as
+/// bright, in the colour of [`MORE`] or of [`LESS`] light. What differs at all can be seen.
+pub fn difference(a: &RgbImage, b: &RgbImage) -> RgbImage {
     let mut difference = a.clone();
-    for (channel, b) in difference.iter_mut().zip(b.iter()) {
-        *channel = channel.abs_diff(*b).saturating_mul(8);
+    for (pixel, b) in difference.pixels_mut().zip(b.pixels()) {
+        let off = pixel.0.iter().zip(b.0).map(|(a, b)| i32::from(b) - i32::from(*a));
+        let most = off.max_by_key(|off| off.abs()).unwrap_or(0);
+        let share = if most == 0 { 0 } else { (4 * most.unsigned_abs()).clamp(48, 255) };
+        let color = if most > 0 { MORE } else { LESS };
+        pixel.0 = color.map(|channel| (u32::from(channel) * share / 255) as u8);
     }
     difference
 }

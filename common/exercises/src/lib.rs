@@ -32,7 +32,9 @@ use sample::Sample;
 pub use sample::Scene;
 pub use sample::Shot;
 use settings::Settings;
+use show::Code;
 use show::Exercises;
+use show::Files;
 use show::Lesson;
 use show::Program;
 use show::Setup;
@@ -44,25 +46,29 @@ pub use symbol::SYMBOLS;
 
 /// What a step's `main` runs: the command line, and what it asks for.
 ///
-/// `name` is the step's package, `concept` the line that says what it teaches. The exit status is
-/// 0 when all was done, 1 when it failed or a comparison found a difference, 2 for wrong usage.
-pub fn main<S: Step + Default + 'static>(name: &'static str, concept: &'static str) -> ExitCode {
+/// `name` is the step's package, `concept` the line that says what it teaches, `files` its code, `handout`
+/// what is read about it. The exit status is 0 when all was done, 1 when it failed or a comparison found a
+/// difference, 2 for wrong usage.
+pub fn main<S: Step + Default + 'static>(
+    name: &'static str, concept: &'static str, files: Files, handout: &'static str,
+) -> ExitCode {
     let make = Rc::new(|| Box::new(Lesson(Box::new(S::default()))) as Box<dyn Shown>);
-    let programs = vec![Program::new(name, concept, Size::DEFAULT, make)];
-    Suite { name, concept, programs, page: None, exercises: Some(&Known) }.run(env::args_os())
+    let code = Rc::new(Code::new(files));
+    let program = Program::new(name, concept, Size::DEFAULT, make);
+    let slides = Program::slides_of(handout).leak();
+    let programs = vec![Program { code, handout, slides, ..program }];
+    let (figures, tours, exercises) = (Vec::new(), Vec::new(), Some(&Known as &dyn Exercises));
+    Suite { name, concept, programs, figures, tours, page: None, exercises }.run(env::args_os())
 }
 
-/// What the lecture's `main` runs: a step's command line with one more option, the step, and one
-/// window for all of them. `page` makes the web page that has them all; the rest is as in [`main`].
+/// What the lecture's `main` runs: the command line of all that is in `suite`, and of the exercises; the
+/// rest is as in [`main`].
 ///
 /// # Panics
 ///
 /// When there is no program.
-pub fn lecture(
-    name: &'static str, concept: &'static str, programs: Vec<Program>, page: fn() -> Result<String>,
-) -> ExitCode {
-    let (page, exercises) = (Some(page), Some(&Known as &dyn Exercises));
-    Suite { name, concept, programs, page, exercises }.run(env::args_os())
+pub fn lecture(suite: Suite) -> ExitCode {
+    Suite { exercises: Some(&Known), ..suite }.run(env::args_os())
 }
 
 /// All that is known.

@@ -158,7 +158,7 @@ impl Control {
     }
 
     /// Whether its values are whole numbers.
-    fn is_whole(&self) -> bool {
+    pub(crate) fn is_whole(&self) -> bool {
         matches!(self.kind, Kind::Count(_) | Kind::Choice(_) | Kind::Switch)
     }
 

@@ -150,6 +150,9 @@ pub fn check_loop(step: &dyn Step) -> Result<(), String> {
 }
 
 impl Frame<'_> {
+    /// The most rays a pixel are this many squared.
+    pub const MAX_SAMPLES: usize = 16;
+
     /// The most colours that a loop over the whole picture fills at a time: a gigabyte.
     const MOST_COLORS: usize = 1 << 26;
 

@@ -6,6 +6,7 @@
 //! thread or file. A step's library does not know of this crate, nor could it be built for a browser
 //! if it did: its program and its figures do.
 
+mod code;
 mod compare;
 mod control;
 mod desk;
@@ -14,9 +15,11 @@ mod desktop;
 mod figure;
 mod frame;
 mod language;
+mod math;
 mod outside;
 mod over;
 mod pen;
+mod pointed;
 mod quantity;
 mod session;
 mod setup;
@@ -30,15 +33,26 @@ mod written;
 pub use canvas::Anchor;
 pub use canvas::Area;
 pub use canvas::Canvas;
+pub use canvas::CodeFont;
 pub use canvas::Font;
 pub use canvas::Ink;
+pub use canvas::LESS;
+pub use canvas::MORE;
+pub use canvas::MathFont;
 pub use canvas::Radiance;
 pub use canvas::count_off;
 pub use canvas::decode;
+pub use canvas::difference;
 pub use canvas::encode;
-pub use canvas::magnified;
 pub use canvas::off;
 pub use canvas::pack;
+pub use code::Change;
+pub use code::Code;
+pub use code::CodeLine;
+pub use code::Files;
+pub use code::Kind as CodeKind;
+pub use code::Part as CodePart;
+pub use code::Sought;
 pub use compare::Comparison;
 pub use compare::Difference;
 pub use compare::TOLERANCE;
@@ -46,6 +60,7 @@ pub use compare::side_by_side;
 pub use control::Control;
 pub use control::Refused;
 pub use desk::Act;
+pub use desk::Asked;
 pub use desk::Compare;
 pub use desk::Desk;
 pub use desk::Does;
@@ -56,6 +71,8 @@ pub use desk::Key;
 pub use desk::Program;
 pub use desk::Reading;
 pub use desk::Refusal;
+pub use desk::Stop;
+pub use desk::Tour;
 pub use desk::Wanted;
 pub use desk::WhatIf;
 pub use desk::does;
@@ -67,11 +84,19 @@ pub use desktop::Exercises;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::Finished;
 #[cfg(not(target_family = "wasm"))]
+pub use desktop::LONGEST;
+#[cfg(not(target_family = "wasm"))]
+pub use desktop::MakePage;
+#[cfg(not(target_family = "wasm"))]
+pub use desktop::Mistake;
+#[cfg(not(target_family = "wasm"))]
 pub use desktop::Suite;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::Verdict;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::Workspace;
+#[cfg(not(target_family = "wasm"))]
+pub use desktop::picture_shown;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::render_parallel;
 #[cfg(not(target_family = "wasm"))]
@@ -90,9 +115,25 @@ pub use frame::check_loop;
 pub use language::Language;
 pub use language::filled;
 pub use language::translated;
+pub use math::Boxed;
+pub use math::Law;
+pub use math::Letters;
+pub use math::Math;
+pub use math::Symbols;
+pub use math::ink_of;
+pub use math::latex;
+pub use math::law_name;
+pub use math::laws;
+pub use math::mathml;
+pub use math::plain;
+pub use math::symbols;
+pub use math::terms;
+pub use math::typeset;
 pub use outside::Outside;
 pub use over::compared;
+pub use over::draw_below;
 pub use over::draw_marks;
+pub use over::height_below;
 pub use over::is_marked;
 pub use over::point_at;
 pub use quantity::Curve;
@@ -124,5 +165,7 @@ pub use vectors::draw_vectors;
 pub use vectors::handle_at;
 pub use vectors::marks;
 pub use vectors::symbol_ink;
+pub(crate) use written::glance;
+pub use written::rounded;
 pub use written::texts;
 pub use written::written;

@@ -90,6 +90,11 @@ impl Window<'_> {
     }
 }
 
+/// Between which parts of the picture's width and height a window is wholly in sight, and how many
+/// small steps the onlooker goes back at most until it is.
+const IN_SIGHT: std::ops::RangeInclusive<f32> = 0.03..=0.97;
+const FARTHER: usize = 30;
+
 impl Outside<'_> {
     /// From where a camera is first seen from outside: from the side and behind, with all of it
     /// and what it looks at in sight.
@@ -107,6 +112,20 @@ impl Outside<'_> {
         onlooker.elevation = 0.0;
         onlooker.orbit(view.azimuth + 52.0, 22.0);
         onlooker.zoom(away);
+        // All of the window is in sight.
+        let aspect = Size::DEFAULT.aspect();
+        let camera = view.camera(aspect);
+        let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+        let corners = corners.map(|(u, v)| camera.generate_ray(u, v).origin);
+        let is_seen = |onlooker: &View, corner: &Vec3| {
+            let at = onlooker.camera(aspect).project(*corner);
+            at.is_some_and(|(u, v)| IN_SIGHT.contains(&u) && IN_SIGHT.contains(&v))
+        };
+        for _ in 0..FARTHER {
+            if !corners.iter().all(|corner| is_seen(&onlooker, corner)) {
+                onlooker.zoom(1.05);
+            }
+        }
         onlooker
     }
 

@@ -5,12 +5,15 @@ use image::RgbImage;
 use crate::Area;
 use crate::Canvas;
 use crate::Compare;
+use crate::Curve;
 use crate::Desk;
 use crate::Handle;
+use crate::Legend;
 use crate::Outside;
 use crate::Sight;
 use crate::draw_vectors;
 use crate::handle_at;
+use crate::pointed::draw_chosen;
 
 /// What is to be seen of the desk's pictures: of two the last alone if they have different sizes.
 pub fn compared(desk: &Desk, mut pictures: Vec<RgbImage>) -> RgbImage {
@@ -32,16 +35,42 @@ pub fn is_marked(desk: &Desk) -> bool {
 pub fn draw_marks(desk: &Desk, canvas: &mut Canvas<'_>, area: Area, text_size: f32) {
     let points = desk.points();
     let explanation = desk.explanation().filter(|_| desk.vectors());
-    let (step, view) = (desk.setup().step(), desk.setup().view());
+    let setup = desk.in_sight().1;
+    let (step, view) = (setup.step(), setup.view());
     let mut canvas = canvas.clipped(area);
     if let Some(onlooker) = desk.onlooker() {
         let onlooker = onlooker.camera(area.width / area.height);
         let outside = Outside { step, view, onlooker: &*onlooker, area };
         outside.draw(&mut canvas, explanation.as_ref(), &points, text_size);
+        let sight = Sight { step, camera: &*onlooker, area };
+        draw_chosen(desk, &mut canvas, &sight, text_size / 7.0);
     } else if explanation.is_some() || !points.is_empty() {
         let camera = view.camera(desk.picture_size().aspect());
         let sight = Sight { step, camera: &*camera, area };
         draw_vectors(&mut canvas, sight, explanation.as_ref(), &points, text_size);
+        draw_chosen(desk, &mut canvas, &sight, text_size / 7.0);
+    }
+}
+
+/// How high, in ems, what stands below the picture of a told line is; 0 where none is shown.
+pub fn height_below(desk: &Desk) -> f32 {
+    match (desk.legend(), desk.has_curve()) {
+        (None, _) => 0.0,
+        (Some(_), false) => Legend::HEIGHT,
+        (Some(_), true) => Legend::HEIGHT + Curve::HEIGHT,
+    }
+}
+
+/// Draws what stands below the picture of a told line: its legend, with what is answered otherwise if
+/// that is said `altered`, and its curve.
+pub fn draw_below(desk: &Desk, canvas: &mut Canvas<'_>, area: Area, em: f32, altered: bool) {
+    let Some(mut legend) = desk.legend() else { return };
+    legend.altered = desk.altered().filter(|_| altered).unwrap_or_default();
+    let upper = Area { height: Legend::HEIGHT * em, ..area };
+    legend.draw(canvas, upper.inset(0.4 * em), 0.9 * em);
+    if let Some(curve) = desk.curve() {
+        let lower = Area { top: upper.bottom(), height: Curve::HEIGHT * em, ..area };
+        curve.draw(canvas, lower, 0.9 * em);
     }
 }
 

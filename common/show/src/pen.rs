@@ -2,11 +2,14 @@
 
 use crate::Anchor;
 use crate::Area;
+use crate::Boxed;
 use crate::Canvas;
 use crate::Font;
 use crate::Ink;
+use crate::Letters;
 use crate::Sight;
 use crate::Stroke;
+use crate::plain;
 use crate::sight::distance;
 use common::Vec3;
 
@@ -16,12 +19,12 @@ const UNDER: Ink = Ink::BLACK.with_alpha(120);
 /// How much of a hidden line is seen.
 const HIDDEN: u8 = 150;
 
-struct Label<'a> {
+struct Label {
     at: (f32, f32),
     /// Where it is put if there is room, as seen from `at`.
     toward: (f32, f32),
     ink: Ink,
-    texts: Vec<&'a str>,
+    texts: Vec<String>,
 }
 
 /// Draws what is in the world where a [`Sight`] sees it, dashed and faint where something hides it.
@@ -30,7 +33,7 @@ pub(crate) struct Pen<'a> {
     canvas: Canvas<'a>,
     pub(crate) sight: Sight<'a>,
     text_size: f32,
-    labels: Vec<Label<'a>>,
+    labels: Vec<Label>,
     /// Where lines and marks are that no label is to cover, if it can be helped.
     lines: Vec<Area>,
     marks: Vec<Area>,
@@ -101,7 +104,7 @@ impl<'a> Pen<'a> {
     }
 
     /// An arrow with its name at the tip; one that is seen end on is a ring.
-    pub(crate) fn arrow(&mut self, from: Vec3, to: Vec3, ink: Ink, name: &'a str) {
+    pub(crate) fn arrow(&mut self, from: Vec3, to: Vec3, ink: Ink, name: &str) {
         let Some((start, end)) = self.sight.in_front(from, to) else { return };
         let Some((start, tip)) = self.sight.at(start).zip(self.sight.at(end)) else { return };
         let width = self.width();
@@ -111,7 +114,12 @@ impl<'a> Pen<'a> {
         if end != to {
             self.line(from, to, width, ink);
         } else if length <= head {
-            self.canvas.arrow(start, tip, width, ink);
+            // Toward the eye, around what marks where it begins.
+            let radius = 0.66 * self.text_size;
+            self.canvas.ring(start, radius, width + 3.0, UNDER);
+            self.canvas.ring(start, radius, width, ink);
+            self.canvas.disc(start, width, ink);
+            self.keep_mark(start, radius);
         } else {
             // What the head covers is left out: it may be faint.
             let shaft = |at: (f32, f32)| {
@@ -138,7 +146,7 @@ impl<'a> Pen<'a> {
     }
 
     /// A dot with an edge, and its name beside it.
-    pub(crate) fn dot(&mut self, point: Vec3, radius: f32, ink: Ink, name: &'a str) {
+    pub(crate) fn dot(&mut self, point: Vec3, radius: f32, ink: Ink, name: &str) {
         let Some(at) = self.sight.at(point) else { return };
         let radius = radius * self.width();
         if self.sight.is_hidden(point) {
@@ -152,7 +160,7 @@ impl<'a> Pen<'a> {
     }
 
     /// A translucent triangle, its name in the middle.
-    pub(crate) fn area(&mut self, [a, b, c]: [Vec3; 3], ink: Ink, name: &'a str) {
+    pub(crate) fn area(&mut self, [a, b, c]: [Vec3; 3], ink: Ink, name: &str) {
         let edges = [(a, b), (b, c), (c, a)].map(|(from, to)| self.sight.in_front(from, to));
         let mut corners: Vec<(f32, f32)> = Vec::new();
         for corner in edges.into_iter().flatten().flat_map(|(from, to)| [from, to]) {
@@ -170,7 +178,7 @@ impl<'a> Pen<'a> {
         }
     }
 
-    pub(crate) fn label(&mut self, at: Vec3, ink: Ink, name: &'a str) {
+    pub(crate) fn label(&mut self, at: Vec3, ink: Ink, name: &str) {
         if let Some(at) = self.sight.at(at) {
             self.label_toward(at, (0.0, -1.0), ink, name);
         }
@@ -178,24 +186,23 @@ impl<'a> Pen<'a> {
 
     /// Names that are at the same place are written one after the other.
     pub(crate) fn label_toward(
-        &mut self, at: (f32, f32), toward: (f32, f32), ink: Ink, name: &'a str,
+        &mut self, at: (f32, f32), toward: (f32, f32), ink: Ink, name: &str,
     ) {
         if name.is_empty() || !self.sight.area.contains(at) {
             return;
         }
-        let near = |label: &&mut Label<'_>| {
-            label.ink == ink && distance(label.at, at) < self.text_size / 3.0
-        };
+        let near =
+            |label: &&mut Label| label.ink == ink && distance(label.at, at) < self.text_size / 3.0;
         match self.labels.iter_mut().find(near) {
-            Some(label) if label.texts.contains(&name) => {}
-            Some(label) => label.texts.push(name),
-            None => self.labels.push(Label { at, toward, ink, texts: vec![name] }),
+            Some(label) if label.texts.iter().any(|other| other == name) => {}
+            Some(label) => label.texts.push(name.to_owned()),
+            None => self.labels.push(Label { at, toward, ink, texts: vec![name.to_owned()] }),
         }
     }
 
     /// Writes the labels.
     pub(crate) fn finish(mut self) {
-        let gap = 0.45 * self.text_size;
+        let (gap, height) = (0.45 * self.text_size, Font::line_height(self.text_size));
         let around = [
             (0.7, -0.7),
             (0.7, 0.7),
@@ -210,9 +217,10 @@ impl<'a> Pen<'a> {
         let mut taken: Vec<Area> = self.labels.iter().map(|label| dot(label.at)).collect();
         taken.append(&mut self.marks);
         for label in &self.labels {
-            let text = label.texts.join(", ");
+            let text = plain(&label.texts.join(", "), Letters::Vector);
+            let set = Boxed::inline(&text, self.text_size);
             let place = |(x, y): (f32, f32), gap: f32| {
-                let area = Font::area(label.at, Anchor::Center, self.text_size, &text);
+                let area = Area::anchored(label.at, Anchor::Center, set.width, height);
                 let across = (gap + area.width / 2.0) * x;
                 let down = (gap + 0.4 * area.height) * y;
                 let area = Area { left: area.left + across, top: area.top + down, ..area };
@@ -242,8 +250,8 @@ impl<'a> Pen<'a> {
                 }
             }
             if let Some((_, area)) = best {
-                let at = area.at(Anchor::Center);
-                self.canvas.label(at, Anchor::Center, self.text_size, label.ink, &text);
+                let (left, middle) = area.at(Anchor::Left);
+                set.label(&mut self.canvas, (left, middle + 0.3 * self.text_size), label.ink);
                 taken.push(area);
             }
         }

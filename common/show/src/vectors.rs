@@ -168,9 +168,15 @@ pub(crate) fn draw_marks(pen: &mut Pen<'_>, marks: &[Mark]) {
             pen.dot(to, 1.2, ink(symbol), "V = 0");
         }
     }
-    for Mark { symbol, shape } in marks {
+    for (place, Mark { symbol, shape }) in marks.iter().enumerate() {
         if let MarkShape::Arrow(from, to) = *shape {
-            pen.arrow(from, to, ink(symbol), translated(symbol));
+            // Of several lights each has its own, in the order in which they are told.
+            let same = |marks: &[Mark]| marks.iter().filter(|mark| mark.symbol == *symbol).count();
+            let index = match same(marks) {
+                1 => String::new(),
+                _ => format!("_{}", same(&marks[..=place])),
+            };
+            pen.arrow(from, to, ink(symbol), &format!("{}{index}", translated(symbol)));
         }
     }
     for Mark { symbol, shape } in marks {

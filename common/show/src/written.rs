@@ -16,6 +16,9 @@ use common::Value;
 /// goes on computing with what is shown gets the next line.
 const DIGITS: (usize, usize) = (7, 6);
 
+/// The digits that are read at a glance, on a screen.
+const GLANCE: usize = 4;
+
 /// Below and from here on numbers are written with a power of ten.
 const PLAIN: std::ops::Range<f32> = 1e-3..1e6;
 
@@ -23,7 +26,7 @@ const PLAIN: std::ops::Range<f32> = 1e-3..1e6;
 const DECIMALS: i32 = 7;
 
 /// `number` with as many decimals as `digits` digits of `largest` have.
-fn decimal(number: f32, largest: f32, digits: usize) -> String {
+fn decimal(number: f32, largest: f32, digits: usize, most: i32) -> String {
     let largest = largest.abs();
     if number == 0.0 || largest == 0.0 {
         return "0".to_owned();
@@ -35,7 +38,7 @@ fn decimal(number: f32, largest: f32, digits: usize) -> String {
         return format!("{number:.*e}", digits.min(5) - 1);
     }
     let whole = largest.log10().floor() as i32 + 1;
-    let decimals = (digits as i32 - whole).clamp(0, DECIMALS) as usize;
+    let decimals = (digits as i32 - whole).clamp(0, most) as usize;
     let text = format!("{number:.decimals$}");
     let text = match text.contains('.') {
         true => text.trim_end_matches('0').trim_end_matches('.'),
@@ -53,14 +56,34 @@ fn signed(text: String) -> String {
 /// What is too small beside the other numbers of a vector to be seen is 0.
 pub fn texts(value: &Value) -> Vec<String> {
     match value {
-        Value::Number(number) => vec![signed(decimal(*number, *number, DIGITS.0))],
+        Value::Number(number) => vec![signed(decimal(*number, *number, DIGITS.0, DECIMALS))],
         Value::Vector(v) => {
             let numbers = v.to_array();
             let largest = numbers.iter().fold(0.0_f32, |most, number| most.max(number.abs()));
-            numbers.map(|number| signed(decimal(number, largest, DIGITS.1))).into()
+            numbers.map(|number| signed(decimal(number, largest, DIGITS.1, DECIMALS))).into()
         }
         Value::Word(word) => vec![signed(translated(word).to_owned())],
     }
+}
+
+/// A value's numbers with four digits, as they stand on a screen, or its word.
+pub fn rounded(value: &Value) -> Vec<String> {
+    with_digits(value, GLANCE)
+}
+
+/// The same with two digits, where it is mentioned.
+pub(crate) fn glance(value: &Value) -> Vec<String> {
+    with_digits(value, 2)
+}
+
+fn with_digits(value: &Value, digits: usize) -> Vec<String> {
+    let (numbers, largest) = match *value {
+        Value::Number(number) => (vec![number], number),
+        Value::Vector(v) => (v.to_array().to_vec(), v.abs().max_element()),
+        Value::Word(word) => return vec![translated(word).to_owned()],
+    };
+    let text = |number: f32| decimal(number, largest, digits, 5).replace('-', "−");
+    numbers.into_iter().map(text).map(|text| text.replace("inf", "∞")).collect()
 }
 
 /// A value in columns.

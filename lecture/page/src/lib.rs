@@ -1,9 +1,12 @@
 //! The steps' program on the page: it is asked, and answers. What asks it is in the scripts beside
 //! this crate's `src`.
 
+mod class;
+mod listing;
 mod protocol;
 mod told;
 
+use image::Rgb;
 use image::RgbImage;
 use serde::Serialize;
 use show::Act;
@@ -16,13 +19,18 @@ use show::Effect;
 use show::Frame;
 use show::Hand;
 use show::Handle;
+use show::Key;
 use show::Language;
 use show::Program;
 use show::Reading;
 use show::Size;
+use show::mathml;
+use show::plain;
 use show::text;
 use show::translated;
 
+pub use crate::class::tours;
+use crate::listing::listings;
 use crate::protocol::Ask;
 use crate::protocol::Done;
 use crate::protocol::Group;
@@ -46,6 +54,9 @@ pub struct Page {
 /// A figure's name, and what makes it a program.
 pub type Figure = (&'static str, fn() -> Program);
 
+/// Behind what stands below the picture, as in the window.
+const GROUND: Rgb<u8> = Rgb([21, 24, 31]);
+
 /// The most pixels of a picture on the page.
 const MAX_PIXELS: usize = 4_000_000;
 
@@ -57,13 +68,10 @@ impl Page {
     /// When there is no step.
     pub fn new(steps: Vec<Program>, figures: &'static [Figure]) -> Self {
         // What is to be read stands on the page already.
-        let read = |(place, step): (usize, Program)| Program {
-            diff: if place > 0 { "diff" } else { "" },
-            idea: "idea",
-            ..step
-        };
-        let steps = steps.into_iter().enumerate().map(read).collect();
-        Self { desk: Desk::new(steps, 0), known: figures, figures: Vec::new() }
+        let read = |step: Program| Program { idea: "idea", ..step };
+        let steps = steps.into_iter().map(read);
+        let all = steps.chain(figures.iter().map(|(_, figure)| figure())).collect();
+        Self { desk: Desk::new(all, 0), known: figures, figures: Vec::new() }
     }
 
     /// Answers a question: a line of JSON, below which the bytes of pictures may follow. What may be
@@ -87,12 +95,19 @@ impl Page {
                 let act = what.act(&desk.setup().points()).ok_or_else(no_handle)?;
                 json(&do_on(desk, act)?)
             }
+            Ask::Tours(tours) => {
+                let tours = tours.into_iter().map(class::tour).collect();
+                self.desk.tour(tours);
+                json(&())
+            }
             Ask::Key { key, down } => json(&self.press(&key, down)?),
             Ask::State { of, spoken } => {
                 let spoken = Language::of_locale(&spoken);
                 json(&state(self.desk_of(of.as_deref())?, spoken))
             }
-            Ask::Explain => json(&self.desk.explanation().map(|told| explained(&told))),
+            Ask::Explain => json(&explained(&self.desk)),
+            Ask::Code => json(&listings(&self.desk)),
+            Ask::Command => json(&self.desk.command()),
             Ask::Keys => {
                 let listed = show::keys().into_iter().map(|row| row.listed());
                 json(&listed.collect::<Vec<_>>())
@@ -102,6 +117,15 @@ impl Page {
             Ask::Show { of, size, drawn, text } => {
                 let desk = self.desk_of(of.as_deref())?;
                 show(desk, self::size(size)?, pictures(drawn, bytes)?, text)
+            }
+            Ask::Below { size, text, altered } => {
+                let (size, desk) = (self::size(size)?, &self.desk);
+                let mut picture =
+                    RgbImage::from_pixel(size.width() as u32, size.height() as u32, GROUND);
+                let mut canvas = Canvas::new(&mut picture);
+                let area = canvas.area();
+                show::draw_below(desk, &mut canvas, area, text.clamp(1.0, area.height), altered);
+                Ok(rgba(&picture))
             }
         }
     }
@@ -130,11 +154,16 @@ impl Page {
 
     /// Does what a key does; what only the browser can do it is told.
     fn press(&mut self, name: &str, down: bool) -> Result<Done, String> {
-        match key(name).and_then(show::does) {
+        let key = key(name);
+        match key.and_then(|key| self.desk.does(key)) {
             Some(Does::Act(act)) if down => do_on(&mut self.desk, act),
             Some(Does::While(begin, end)) => do_on(&mut self.desk, if down { begin } else { end }),
             Some(Does::Shell(hand)) if down => {
                 Ok(Done { known: true, hand: Some(hand_name(hand)), ..Done::default() })
+            }
+            None if down && key.is_some_and(|key| matches!(key, Key::Char(_))) => {
+                let said = text!("this key does nothing here; F1 lists all keys").to_owned();
+                Ok(Done { said: Some(said), ..Done::default() })
             }
             _ => Ok(Done::default()),
         }
@@ -149,20 +178,20 @@ impl Page {
     }
 
     fn rows(
-        &mut self, layer: Layer, wanted: (usize, usize), first: usize, count: usize,
+        &mut self, layer: Layer, size: (usize, usize), first: usize, count: usize,
     ) -> Result<Vec<u8>, String> {
-        let (desk, setup) = match &layer {
-            Layer::Now => (&self.desk, self.desk.setup()),
+        let size = self::size(size)?;
+        let (desk, wanted) = match &layer {
+            Layer::Now => (&self.desk, self.desk.picture_now()),
             Layer::Before => {
-                let before = self.desk.before();
+                let before = self.desk.picture_before();
                 (&self.desk, before.ok_or(text!("there is no step before this one"))?)
             }
             Layer::Figure(name) => {
                 let desk = &*self.figure(name)?;
-                (desk, desk.setup())
+                (desk, desk.picture_now())
             }
         };
-        let size = size(wanted)?;
         if first.checked_add(count).is_none_or(|end| end > size.height()) {
             return Err(text!(
                 "there are no {count} rows from {first} on in a picture of {size}",
@@ -171,9 +200,10 @@ impl Page {
                 size
             ));
         }
-        let camera = desk.onlooker().unwrap_or(setup.view()).camera(size.aspect());
+        let view = desk.onlooker().unwrap_or(wanted.setup.view());
+        let camera = view.camera(size.aspect());
         let mut rgb = vec![0; 3 * size.width() * count];
-        Frame { step: setup.step(), camera: &*camera, size, samples: 1 }
+        Frame { step: wanted.step(), camera: &*camera, size, samples: 1 }
             .render_rows(first, &mut rgb);
         Ok(rgb)
     }
@@ -219,15 +249,21 @@ fn show(
         Canvas::new(&mut larger).picture(&picture, area);
         picture = larger;
     }
-    let setup = desk.setup();
-    setup.draw_over(&*setup.view().camera(size.aspect()), &mut picture);
-    let mut canvas = Canvas::new(&mut picture);
-    show::draw_marks(desk, &mut canvas, area, text_size.clamp(1.0, area.height.max(1.0)));
-    let mut rgba = vec![255; 4 * size.width() * size.height()];
+    desk.picture_now().draw_over(&mut picture);
+    if !desk.is_gliding() {
+        let mut canvas = Canvas::new(&mut picture);
+        show::draw_marks(desk, &mut canvas, area, text_size.clamp(1.0, area.height.max(1.0)));
+    }
+    Ok(rgba(&picture))
+}
+
+/// The bytes of a picture as a browser takes them.
+fn rgba(picture: &RgbImage) -> Vec<u8> {
+    let mut rgba = vec![255; picture.len() / 3 * 4];
     for (to, from) in rgba.chunks_exact_mut(4).zip(picture.chunks_exact(3)) {
         to[..3].copy_from_slice(from);
     }
-    Ok(rgba)
+    rgba
 }
 
 fn do_on(desk: &mut Desk, act: Act) -> Result<Done, String> {
@@ -240,8 +276,7 @@ fn do_on(desk: &mut Desk, act: Act) -> Result<Done, String> {
             Effect::Save => done.save = true,
             Effect::Say(words) => done.said = Some(words),
             Effect::Print(_) => stands_there = true,
-            // A page does not end itself.
-            Effect::Quit => {}
+            Effect::Glide => done.glide = true,
         }
     }
     // What others print stands on the page, and need not be spoken of.
@@ -284,7 +319,6 @@ fn state(desk: &Desk, spoken: Language) -> State {
         name: desk.program().name,
         size: (size.width(), size.height()),
         groups: groups.collect(),
-        command: desk.command(),
         address: desk.address(spoken),
         pin: desk.pinned().map(|pixel| (pixel.col, pixel.row)),
         layers,
@@ -297,10 +331,16 @@ fn state(desk: &Desk, spoken: Language) -> State {
         reading: match desk.reading() {
             Reading::Pixel => "pixel",
             Reading::Keys => "keys",
-            Reading::Diff => "diff",
+            Reading::Code => "code",
             Reading::Idea => "idea",
+            Reading::Stops => "stops",
         },
+        legend: desk.legend().map(|legend| (legend.words(), show::height_below(desk))),
+        altered: desk.altered(),
         alone: desk.alone(),
+        blank: desk.is_blank(),
+        stop: class::here(desk),
+        listed: class::listed(desk),
         language: desk.language().name(),
     }
 }
@@ -315,5 +355,7 @@ fn setting(setting: show::Setting) -> Setting {
     };
     let (text, fraction, takes) = (control.text(), control.fraction(), control.takes());
     let options = control.options();
-    Setting { name, label: control.name, kind, text, fraction, takes, options, changed }
+    let meant = if control.axis.is_some() { show::Letters::Vector } else { show::Letters::Scalar };
+    let label = mathml(&plain(&control.name, meant), false, &mut |_, _| None);
+    Setting { name, label, kind, text, fraction, takes, options, changed }
 }

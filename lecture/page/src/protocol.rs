@@ -1,11 +1,15 @@
 //! What a browser may ask, and what it is answered: as JSON.
 
+use common::LineName;
 use serde::Deserialize;
 use serde::Serialize;
 use show::Act;
 use show::Handle;
 use show::Key;
 use show::Language;
+
+use crate::class::Here;
+use crate::class::Told;
 
 /// Something that a browser asks of the steps' program.
 #[derive(Deserialize)]
@@ -15,6 +19,8 @@ pub(crate) enum Ask {
     Do(What),
     /// Do something with a figure.
     DoOn(String, What),
+    /// The class has these tours, one in each language or one for all.
+    Tours(Vec<Told>),
     /// Do what a key does, when it goes down or up.
     Key { key: String, down: bool },
     /// What is shown now, on the desk or of the figure `of`; of the language the address says nothing
@@ -22,6 +28,10 @@ pub(crate) enum Ask {
     State { of: Option<String>, spoken: String },
     /// How the pinned pixel comes by its colour.
     Explain,
+    /// The code of the step, as it runs for the pinned pixel.
+    Code,
+    /// The command that gives what is shown now. It takes time, as it looks for the shortest names.
+    Command,
     /// All keys.
     Keys,
     /// Which handle is at a place of the picture, no farther than `reach`, a share of its width.
@@ -31,6 +41,9 @@ pub(crate) enum Ask {
     /// The pictures whose bytes follow the question, `drawn` pixels large, as one that is as large as
     /// `size`, with what lies over it in letters `text` high: four bytes a pixel.
     Show { of: Option<String>, size: (usize, usize), drawn: (usize, usize), text: f32 },
+    /// What stands below the picture of a told line, as large as `size`, in letters `text` high, with what
+    /// is answered otherwise or without: four bytes a pixel.
+    Below { size: (usize, usize), text: f32, altered: bool },
 }
 
 /// Whose picture it is.
@@ -57,7 +70,12 @@ pub(crate) enum What {
     Pin(f32, f32),
     MovePin(isize, isize),
     Unpin,
+    /// Both with the line's equation, and what that is about.
+    Show(String, String),
+    Otherwise(String, String),
     Step(usize),
+    Listed(usize),
+    Glide(f32),
     DivideAt(f32),
     Language(String),
     Open(String),
@@ -77,7 +95,11 @@ impl What {
             Self::Pin(right, down) => Act::Pin((right, down)),
             Self::MovePin(right, down) => Act::MovePin(right, down),
             Self::Unpin => Act::Unpin,
+            Self::Show(equation, of) => Act::Show(LineName { equation, of }),
+            Self::Otherwise(equation, of) => Act::WhatIf(LineName { equation, of }),
             Self::Step(number) => Act::Step(number),
+            Self::Listed(place) => Act::Listed(place),
+            Self::Glide(part) => Act::Glide(part),
             Self::DivideAt(part) => Act::DivideAt(part),
             Self::Language(locale) => Act::Speak(Language::of_locale(&locale)),
             Self::Open(address) => Act::Open(address),
@@ -122,6 +144,8 @@ pub(crate) struct Done {
     pub(crate) redraw: bool,
     /// What is beside and over them is another.
     pub(crate) repaint: bool,
+    /// The pictures are to glide to what is shown now.
+    pub(crate) glide: bool,
     /// The picture is to be saved.
     pub(crate) save: bool,
     /// The command is to be handed on.
@@ -139,7 +163,6 @@ pub(crate) struct State {
     pub(crate) name: &'static str,
     pub(crate) size: (usize, usize),
     pub(crate) groups: Vec<Group>,
-    pub(crate) command: String,
     pub(crate) address: String,
     pub(crate) pin: Option<(usize, usize)>,
     /// The pictures that are wanted: `now`, `before` or both.
@@ -153,7 +176,16 @@ pub(crate) struct State {
     /// Where the divider is, if there is one.
     pub(crate) divider: Option<f32>,
     pub(crate) reading: &'static str,
+    /// What the picture's colours stand for, if they are a told line's, and how many ems high that is.
+    pub(crate) legend: Option<(String, f32)>,
+    /// What is answered otherwise, as it is said; the first group has its controls.
+    pub(crate) altered: Option<String>,
     pub(crate) alone: bool,
+    pub(crate) blank: bool,
+    /// Where the class is, if it is at a stop.
+    pub(crate) stop: Option<Here>,
+    /// All stops and figures and the place that is picked, where they are read.
+    pub(crate) listed: Option<(Vec<String>, usize)>,
     pub(crate) language: &'static str,
 }
 
@@ -171,6 +203,7 @@ pub(crate) struct Group {
 pub(crate) struct Setting {
     /// What it is called among all, and what it is called in its group.
     pub(crate) name: String,
+    /// In MathML.
     pub(crate) label: String,
     pub(crate) kind: &'static str,
     pub(crate) text: String,
@@ -184,8 +217,21 @@ pub(crate) struct Setting {
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 pub(crate) enum Part {
-    /// A value: how its equation is shown, its symbol's colour, its numbers.
-    Line { shown: &'static str, ink: Option<String>, values: Vec<String> },
+    /// A value: its equation as it is read out and in MathML, its symbol's colour, its numbers.
+    Line {
+        shown: &'static str,
+        math: String,
+        ink: Option<String>,
+        values: Vec<String>,
+        /// The equation and what it is about, if it can be a picture.
+        name: Option<(String, String)>,
+        /// Whether it could have another value.
+        open: bool,
+        /// The marks that it has.
+        chosen: bool,
+        pictured: bool,
+        altered: bool,
+    },
     /// What is told of a thing: what it is found by, how it is shown, what came of it.
     Scope { name: &'static str, shown: &'static str, open: bool, outcome: String, parts: Vec<Part> },
 }
@@ -206,4 +252,38 @@ pub(crate) struct Explained {
     pub(crate) seen: [u8; 3],
     /// What is told once, then what is told of each of several things of a kind.
     pub(crate) symbols: Vec<Symbols>,
+}
+
+/// A function or a type of the code, or the rest of a file.
+#[derive(Serialize)]
+pub(crate) struct Listing {
+    pub(crate) path: &'static str,
+    pub(crate) rest: bool,
+    pub(crate) lines: Vec<Listed>,
+}
+
+/// A line of code.
+#[derive(Serialize)]
+pub(crate) struct Listed {
+    /// In its file.
+    pub(crate) number: usize,
+    /// Its parts, each with what it is: "" is plain.
+    pub(crate) pieces: Vec<(&'static str, String)>,
+    pub(crate) notes: Vec<Noted>,
+    /// Beside the step before: "", "new" or "gone".
+    pub(crate) change: &'static str,
+    /// It did not run for the pixel.
+    pub(crate) idle: bool,
+}
+
+/// What is told where a line of code runs.
+#[derive(Serialize)]
+pub(crate) struct Noted {
+    pub(crate) math: String,
+    pub(crate) shown: &'static str,
+    pub(crate) symbol: &'static str,
+    pub(crate) value: String,
+    pub(crate) chosen: bool,
+    pub(crate) altered: bool,
+    pub(crate) name: Option<(String, String)>,
 }

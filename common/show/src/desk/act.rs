@@ -23,7 +23,7 @@ pub enum Act {
     Nudge(String, f32),
     /// The control takes its first value.
     Reset(String),
-    /// All controls do.
+    /// The stop as it is written; away from one, all controls take their first values.
     ResetAll,
     /// The camera, or the onlooker where there is one, circles by these degrees: right, up.
     Orbit(f32, f32),
@@ -47,10 +47,22 @@ pub enum Act {
     Handles,
     /// Another step, by its number from 1 on, seen as this one is.
     Step(usize),
-    /// The step after this one.
+    /// The next stop.
     Next,
-    /// The step before.
+    /// The stop before.
     Previous,
+    /// The stop of this number, from 1 on.
+    Stop(usize),
+    /// The stop's question, then its answer, then its text again.
+    Ask,
+    /// So far on in the list of stops and figures.
+    Pick(isize),
+    /// To what is at this place of the list.
+    Listed(usize),
+    /// Nothing is to be seen, or all again.
+    Blank,
+    /// The controls and the view on their way from what was shown before the stop: this part of it.
+    Glide(f32),
     /// The step before takes this one's place, or no more.
     Hold(bool),
     /// A divider, left of which is the step before; or none.
@@ -61,6 +73,10 @@ pub enum Act {
     Difference,
     /// A text in place of the pixel's explanation; if it is shown, no more.
     Read(Reading),
+    /// The code is shown to the letter, with its telling, or without it again.
+    Whole,
+    /// The next light or object is looked at in the code.
+    Look,
     /// The picture becomes this told line's at every pixel; if it is, the light's again.
     Show(LineName),
     /// The same of the line of this name.
@@ -100,6 +116,21 @@ pub enum Act {
     Open(String),
 }
 
+impl Act {
+    /// Whether a hand asks for it, so that a black screen is one no more.
+    pub(super) fn wakes(&self) -> bool {
+        !matches!(self, Self::Hold(false) | Self::Choose(_) | Self::Glide(_) | Self::Size(_))
+    }
+
+    /// Whether it goes to something else, also from a black screen.
+    pub(super) fn goes_on(&self) -> bool {
+        matches!(
+            self,
+            Self::Next | Self::Previous | Self::Stop(_) | Self::Listed(_) | Self::Open(_)
+        )
+    }
+}
+
 /// What is read in place of the pinned pixel's explanation.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
 pub enum Reading {
@@ -108,10 +139,12 @@ pub enum Reading {
     Pixel,
     /// All keys.
     Keys,
-    /// The step's diff.
-    Diff,
+    /// The step's code.
+    Code,
     /// The step's equation and idea.
     Idea,
+    /// All stops, and all figures.
+    Stops,
 }
 
 /// What a shell is asked to do.
@@ -128,8 +161,8 @@ pub enum Effect {
     Print(String),
     /// Make the pictures at their own size, write them to a file, and say what became of it.
     Save,
-    /// End.
-    Quit,
+    /// Glide to what is shown now, if there is a clock: by [`Act::Glide`].
+    Glide,
 }
 
 /// Why something cannot be done; then nothing has changed.

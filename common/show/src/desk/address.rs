@@ -6,6 +6,7 @@ use super::OUTSIDE;
 use super::Program;
 use super::Reading;
 use super::Refusal;
+use crate::Frame;
 use crate::Language;
 use crate::Size;
 use crate::text;
@@ -73,8 +74,32 @@ impl Desk {
     /// The address at which all this is shown again, from its `#` on, not encoded. `spoken` is the
     /// language that is spoken where nothing is said of it.
     pub fn address(&self, spoken: Language) -> String {
-        let number = step_number(self.program().name).unwrap_or(self.step());
-        let mut parts = vec![format!("#step{number:02}")];
+        let mut parts = Vec::new();
+        match self.stop() {
+            Some((number, _)) if !self.is_changed() => parts.push(format!("#stop{number}")),
+            stop => {
+                self.add_shown(&mut parts);
+                parts.extend(stop.map(|(number, _)| format!("stop={number}")));
+            }
+        }
+        if self.language != spoken {
+            parts.push(format!("language={}", self.language.name()));
+        }
+        parts.join("&")
+    }
+
+    /// The address of what is shown, whatever the stop and the language.
+    pub fn shown_address(&self) -> String {
+        let mut parts = Vec::new();
+        self.add_shown(&mut parts);
+        parts.join("&")
+    }
+
+    fn add_shown(&self, parts: &mut Vec<String>) {
+        parts.push(match self.program() {
+            Program { is_figure: true, name, .. } if self.current > 0 => format!("#{name}"),
+            _ => format!("#step{:02}", step_number(self.program().name).unwrap_or(self.step())),
+        });
         parts.extend(self.setup.settings());
         if self.onlooker.is_some() {
             parts.push("outside=on".to_owned());
@@ -96,15 +121,17 @@ impl Desk {
         if self.handles {
             parts.push("handles=on".to_owned());
         }
-        if self.language != spoken {
-            parts.push(format!("language={}", self.language.name()));
+        if self.samples != 1 {
+            parts.push(format!("samples={}", self.samples));
         }
         match self.compare() {
             Compare::Off => {}
             Compare::Divided(part) => parts.push(format!("divide={part}")),
             Compare::Difference => parts.push("difference=on".to_owned()),
         }
-        parts.join("&")
+        if self.reading() == Reading::Code {
+            parts.push("code=on".to_owned());
+        }
     }
 
     /// Shows what `address` says, and says what of it cannot be shown.
@@ -117,16 +144,22 @@ impl Desk {
                 ""
             }
         };
-        let mut parts = address.trim_start_matches('#').split('&').filter(|part| !part.is_empty());
+        let address = address.trim_start_matches('#');
+        let (name, rest) = address.split_once('&').unwrap_or((address, ""));
+        let stop = self.stop_called(name);
+        let address = match stop {
+            Some(place) => format!("{}&{rest}", self.stops()[place].address),
+            None => address.to_owned(),
+        };
+        let address = address.trim_start_matches('#');
+        let mut parts = address.split('&').filter(|part| !part.is_empty());
         let name = parts.next().unwrap_or("step01");
-        let step = self.programs.iter().position(|program| {
-            step_number(program.name).is_none_or(|number| Some(number) == step_number(name))
-        });
-        if step.is_none() {
+        let program = self.program_called(name);
+        if program.is_none() {
             wrong.push(format!("{}: {}", shortened(name, 40), text!("there is no such step")));
         }
-        let mut opened = Self::new(self.programs.clone(), step.unwrap_or(0)).sampled(self.samples);
-        opened.speak(self.language);
+        let samples = if stop.is_some() { 1 } else { self.samples };
+        let mut opened = self.anew(program.unwrap_or(0)).sampled(samples);
         // A pixel is one of the picture as all the rest makes it.
         let (pixels, others): (Vec<&str>, Vec<&str>) =
             parts.partition(|part| part.starts_with("pixel="));
@@ -137,13 +170,36 @@ impl Desk {
             }
         }
         opened.effects.clear();
-        opened.reading = Reading::Pixel;
+        match (stop, opened.way.at) {
+            (None, None) => {}
+            (None, Some(place)) => {
+                let mut written = opened.anew(0);
+                written.open(&format!("#stop{}", place + 1));
+                opened.way.written = written.way.written;
+            }
+            (stop, _) => {
+                opened.way.at = stop;
+                opened.way.written = opened.seen();
+            }
+        }
         *self = opened;
         if !wrong.is_empty() {
             wrong.truncate(TOLD);
             wrong.insert(0, text!("Not all of the address can be used:").to_owned());
             self.say(&wrong.join("\n"));
         }
+    }
+
+    /// The place of the program that an address calls `name`: `step05`, `step05_diffuse` or a figure.
+    fn program_called(&self, name: &str) -> Option<usize> {
+        let number = step_number(name);
+        let is_it = |program: &Program| {
+            program.name == name || number.is_some() && step_number(program.name) == number
+        };
+        // One without a number is meant by any.
+        let is_any =
+            |program: &Program| self.programs.len() == 1 && step_number(program.name).is_none();
+        self.programs.iter().position(|program| is_it(program) || is_any(program))
     }
 
     /// Takes a part of an address.
@@ -155,7 +211,9 @@ impl Desk {
                     pair.and_then(|(col, row)| Some((col.parse().ok()?, row.parse().ok()?)));
                 let (col, row) = pixel
                     .ok_or(text!("a pixel is X,Y with whole numbers from 0, such as 480,270"))?;
+                let reading = self.reading;
                 self.pin_pixel(col, row)?;
+                self.reading = reading;
             }
             "show" => self.show_named(value)?,
             "range" => self.set_range(value)?,
@@ -163,6 +221,15 @@ impl Desk {
             "curve" => self.curve = value == "on",
             "size" => self.picture = value.parse::<Size>().map_err(|error| error.to_string())?,
             "language" => self.speak(Language::of_locale(value)),
+            "stop" => self.way.at = self.stop_called(&format!("stop{value}")),
+            "samples" => match value.parse() {
+                Ok(samples @ 1..=Frame::MAX_SAMPLES) => self.samples = samples,
+                _ => {
+                    let most = Frame::MAX_SAMPLES;
+                    return Err(text!("it takes a whole number from 1 to {most}", most).into());
+                }
+            },
+            "code" => self.reading = if value == "on" { Reading::Code } else { self.reading },
             "divide" => match value.parse::<f32>() {
                 Ok(part) if (0.0..=1.0).contains(&part) => self.compare = Compare::Divided(part),
                 _ => {

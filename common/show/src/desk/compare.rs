@@ -1,6 +1,6 @@
 //! The step before beside this one.
 
-use crate::magnified;
+use crate::difference;
 use image::RgbImage;
 
 /// How the step before is compared with.
@@ -10,7 +10,7 @@ pub enum Compare {
     Off,
     /// Left of this part of the width, 0 to 1, is the step before.
     Divided(f32),
-    /// How far each pixel is from the step before's.
+    /// Where there is more light than in the step before, and where less.
     Difference,
 }
 
@@ -29,7 +29,7 @@ impl Compare {
                 let lines = composed.chunks_exact_mut(width).zip(before.chunks_exact(width));
                 lines.for_each(|(line, before)| line[..left].copy_from_slice(&before[..left]));
             }
-            Self::Difference => composed = magnified(before, this),
+            Self::Difference => composed = difference(before, this),
         }
         composed
     }

@@ -31,7 +31,20 @@ impl Desk {
     pub fn act(&mut self, act: Act) -> Result<Vec<Effect>, Refusal> {
         self.language.speak();
         self.effects.clear();
+        if self.way.blank && act.wakes() {
+            self.way.blank = false;
+            self.ask(Effect::Repaint);
+            if !act.goes_on() {
+                return Ok(mem::take(&mut self.effects));
+            }
+        }
+        if !matches!(act, Act::Glide(_)) && self.glide.take().is_some() {
+            self.ask(Effect::Redraw);
+        }
         self.carry_out(act)?;
+        if self.way.at.is_some() {
+            self.way.changed = self.seen() != self.way.written;
+        }
         Ok(mem::take(&mut self.effects))
     }
 
@@ -55,6 +68,9 @@ impl Desk {
                 };
                 self.what_ifs.retain(|what_if| !is_it(what_if));
                 self.setup.reset(&name);
+            }
+            Act::ResetAll if self.way.at.is_some() => {
+                return self.go_to_stop(self.way.at.unwrap_or_default());
             }
             Act::ResetAll => {
                 self.what_ifs.clear();
@@ -99,8 +115,17 @@ impl Desk {
                 return self.repaint();
             }
             Act::Step(number) => return self.go_to(number.checked_sub(1)),
-            Act::Next => return self.go_to(self.current.checked_add(1)),
-            Act::Previous => return self.go_to(self.current.checked_sub(1)),
+            Act::Next => return self.go_on(1),
+            Act::Previous => return self.go_on(-1),
+            Act::Stop(number) => return self.go_to_numbered(number),
+            Act::Ask => return self.ask_class(),
+            Act::Pick(by) => return self.pick(by),
+            Act::Listed(place) => return self.go_to_listed(place),
+            Act::Blank => {
+                self.way.blank = true;
+                return self.repaint();
+            }
+            Act::Glide(part) => return self.glide(part),
             Act::Hold(holding) => {
                 if mem::replace(&mut self.holding, holding) == holding {
                     return Ok(());
@@ -116,6 +141,8 @@ impl Desk {
             }
             Act::Difference => return self.compare_by(Compare::Difference),
             Act::Read(reading) => return self.read(reading),
+            Act::Whole => return self.unfold_telling(),
+            Act::Look => return self.look_at_next(),
             Act::Alone => {
                 self.alone = !self.alone;
                 return self.repaint();
@@ -174,7 +201,8 @@ impl Desk {
 
     /// The picture is another one.
     pub(super) fn changed(&mut self) {
-        let before = self.current.checked_sub(1).map(|before| &self.programs[before]);
+        let before = self.current.checked_sub(1).filter(|_| !self.program().is_figure);
+        let before = before.map(|before| &self.programs[before]);
         self.before = before.map(|before| self.setup.carried_to(before.make.clone()));
         // The onlooker looks at the camera wherever that has gone: so a command says it all.
         if let Some(onlooker) = &mut self.onlooker {
@@ -241,7 +269,11 @@ impl Desk {
         }
         let center = |at: usize, pixels: usize| (at as f32 + 0.5) / pixels as f32;
         self.pinned = Some((center(col, width), center(row, height)));
-        self.reading = Reading::Pixel;
+        self.looked_at.clear();
+        // Beside the code a pixel has its numbers, too.
+        if self.reading != Reading::Code {
+            self.reading = Reading::Pixel;
+        }
         if let Some(explanation) = self.explanation() {
             // What is pinned is what is spoken of: names without an owner mean it.
             if let Some(name) = hit_object(&explanation) {
@@ -275,11 +307,18 @@ impl Desk {
         };
     }
 
-    /// Another program, seen as this one is; nothing when there is none.
-    fn go_to(&mut self, program: Option<usize>) -> Result<(), Refusal> {
-        let Some(program) = program.filter(|program| *program < self.programs.len()) else {
+    /// Another step, seen as this one is; one after a figure as it starts.
+    fn go_to(&mut self, step: Option<usize>) -> Result<(), Refusal> {
+        let last = self.steps();
+        let Some(program) = step.filter(|step| *step < last) else {
+            self.say(&text!("there are only the steps 1 to {last}", last));
             return Ok(());
         };
+        if self.program().is_figure {
+            let at = self.way.at;
+            self.open(&format!("#step{:02}", program + 1));
+            self.way.at = at;
+        }
         self.setup = self.setup.carried_to(self.programs[program].make.clone());
         self.current = program;
         self.look_from_here();
@@ -289,7 +328,8 @@ impl Desk {
     }
 
     fn compare_by(&mut self, compare: Compare) -> Result<(), Refusal> {
-        if self.programs.len() < 2 {
+        if self.steps() < 2 || self.program().is_figure {
+            self.say(text!("there is no step before this one"));
             return Ok(());
         }
         let same = mem::discriminant(&self.compare) == mem::discriminant(&compare);
@@ -311,6 +351,9 @@ impl Desk {
         if is_hidden || self.reading() != before {
             self.alone = false;
         }
+        if asked == Reading::Stops && self.stops().is_empty() {
+            return self.go_on(0);
+        }
         self.repaint()
     }
 
@@ -328,7 +371,7 @@ impl Desk {
         } else {
             self.line = None;
             if self.pinned.take().is_none() {
-                self.ask(Effect::Quit);
+                self.say(text!("there is nothing to go back from; Ctrl+Q ends it"));
             }
         }
         self.repaint()

@@ -1,6 +1,7 @@
 //! The keys: what each does, in every shell.
 
 use super::Act;
+use super::Desk;
 use super::Reading;
 use crate::translated;
 
@@ -29,9 +30,9 @@ pub enum Key {
     Escape,
     /// The one beside Q.
     Tab,
-    /// To the step before.
+    /// To the stop before.
     PageUp,
-    /// To the next step.
+    /// To the next stop.
     PageDown,
     /// F1 and so on.
     F(u8),
@@ -70,6 +71,9 @@ pub enum Hand {
     /// Smaller text.
     Smaller,
 }
+
+/// How far a page goes in the list of stops.
+const PAGE: isize = 10;
 
 /// A row of the table of keys.
 pub struct Row {
@@ -127,7 +131,11 @@ pub fn table() -> Vec<Row> {
             "reset the selected control",
             hand(&[(Key::Backspace, Hand::Reset), (Key::Delete, Hand::Reset)]),
         ),
-        row("Home", "reset all controls", act(&[Key::Home], Act::ResetAll)),
+        row(
+            "Home",
+            "back to the stop as it is written, or reset all controls",
+            act(&[Key::Home], Act::ResetAll),
+        ),
         row("Space", "the picture alone, or with all beside it", act(&[Key::Space], Act::Alone)),
         row(
             "+, −",
@@ -164,13 +172,33 @@ pub fn table() -> Vec<Row> {
             "show or hide these keys",
             act(&[Key::F(1), letter('M')], Act::Read(Reading::Keys)),
         ),
+        row(
+            "F3, L",
+            "the code that runs for the pinned pixel, with its numbers",
+            act(&[Key::F(3), letter('L')], Act::Read(Reading::Code)),
+        ),
+        row("E", "that code to the letter, as an editor shows it", act(&[letter('E')], Act::Whole)),
+        row("N", "that code for the next light or object", act(&[letter('N')], Act::Look)),
         row("F2, S", "save the picture as a new PNG", act(&[Key::F(2), letter('S')], Act::Save)),
-        row("Esc", "back: a text, a quantity, the pin; then quit", act(&[Key::Escape], Act::Leave)),
-        lecture(
+        row("Esc", "back: a text, a quantity, the pin", act(&[Key::Escape], Act::Leave)),
+        row(
+            "B, .",
+            "a black screen, until the next key",
+            act(&[letter('B'), letter('.')], Act::Blank),
+        ),
+        row("Ctrl+Q", "quit", Vec::new()),
+        row(
             "Page Down, Up",
-            "the next step, or the one before",
+            "the next stop of the class, or the one before",
             vec![(Key::PageDown, Does::Act(Act::Next)), (Key::PageUp, Does::Act(Act::Previous))],
         ),
+        lecture("F5", "the first stop", act(&[Key::F(5)], Act::Stop(1))),
+        lecture(
+            "T",
+            "all stops and figures: arrows and Enter, or a click, go there",
+            act(&[letter('T')], Act::Read(Reading::Stops)),
+        ),
+        lecture("R", "the stop's question, then its answer", act(&[letter('R')], Act::Ask)),
         lecture("1, 2, 3 …", "that step", steps.collect()),
         lecture(
             "Tab, A",
@@ -184,13 +212,8 @@ pub fn table() -> Vec<Row> {
         ),
         lecture(
             "X",
-            "where the step before differs, times 8",
+            "where there is more light than in the step before, and less",
             act(&[letter('X')], Act::Difference),
-        ),
-        lecture(
-            "F3, L",
-            "this step's diff",
-            act(&[Key::F(3), letter('L')], Act::Read(Reading::Diff)),
         ),
         lecture(
             "F4, I",
@@ -198,6 +221,27 @@ pub fn table() -> Vec<Row> {
             act(&[Key::F(4), letter('I')], Act::Read(Reading::Idea)),
         ),
     ]
+}
+
+impl Desk {
+    /// What `key` does now; nothing where it has no meaning. In the list of stops keys go through that, and
+    /// from a black screen each leads back.
+    pub fn does(&self, key: Key) -> Option<Does> {
+        let act = match key {
+            _ if self.is_blank() => match does(key) {
+                Some(Does::Shell(_)) | None => Act::Blank,
+                does => return does,
+            },
+            _ if self.reading() != Reading::Stops => return does(key),
+            Key::Up => Act::Pick(-1),
+            Key::Down => Act::Pick(1),
+            Key::PageUp => Act::Pick(-PAGE),
+            Key::PageDown => Act::Pick(PAGE),
+            Key::Enter => Act::Listed(self.picked()),
+            _ => return does(key),
+        };
+        Some(Does::Act(act))
+    }
 }
 
 /// What `key` does; nothing where it has no meaning.

@@ -5,6 +5,7 @@ use std::mem;
 use super::Act;
 use super::Desk;
 use super::Effect;
+use super::Reading;
 use super::Refusal;
 use super::what_if::WhatIf;
 use crate::Curve;
@@ -95,6 +96,11 @@ impl Desk {
         self.look.quantity.as_ref().map(|quantity| &quantity.line)
     }
 
+    /// Whether the line is answered otherwise.
+    pub fn is_altered(&self, line: &LineName) -> bool {
+        self.what_ifs.iter().any(|what_if| what_if.alters(line))
+    }
+
     /// What is answered otherwise.
     pub fn what_ifs(&self) -> &[WhatIf] {
         &self.what_ifs
@@ -137,6 +143,7 @@ impl Desk {
     /// Shows the line as a picture; if it is shown, no more.
     pub(super) fn show_line(&mut self, line: LineName) {
         let shown = self.shown_line() == Some(&line);
+        self.line = Some(line.clone());
         self.look.quantity = None;
         self.shown = None;
         if !shown {
@@ -248,6 +255,7 @@ impl Desk {
     /// Answers the line as it is, to be changed by its controls; if it is answered otherwise, no more.
     pub(super) fn ask_what_if(&mut self, line: &LineName) -> Result<(), Refusal> {
         let count = self.what_ifs.len();
+        self.line = Some(line.clone());
         self.what_ifs.retain(|what_if| what_if.answer.line != *line);
         if self.what_ifs.len() == count {
             let told = self.surveyed().find_map(|explanation| WhatIf::new(line, &explanation));
@@ -306,7 +314,10 @@ impl Desk {
 
     /// Goes so many lines on in what is told of the pinned pixel.
     pub(super) fn walk(&mut self, by: isize) {
-        let lines = self.readable();
+        let lines = match self.reading() {
+            Reading::Code => self.lines_of_code(),
+            _ => self.readable(),
+        };
         let place = lines.iter().position(|line| self.line.as_ref() == Some(line));
         let count = lines.len().max(1) as isize;
         let next = match place {

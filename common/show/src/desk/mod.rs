@@ -4,10 +4,13 @@ mod act;
 mod address;
 mod compare;
 mod doing;
+mod glide;
 mod groups;
 mod keys;
 mod looking;
 mod program;
+mod sought;
+mod tour;
 mod what_if;
 mod wording;
 
@@ -15,6 +18,7 @@ use image::RgbImage;
 
 use crate::Handle;
 use crate::Language;
+use crate::Law;
 use crate::Look;
 use crate::Looked;
 use crate::Outside;
@@ -41,7 +45,13 @@ pub use keys::Key;
 pub use keys::does;
 pub use keys::table;
 pub use program::Program;
+pub use tour::Asked;
+pub use tour::Stop;
+pub use tour::Tour;
 pub use what_if::WhatIf;
+
+use glide::Glide;
+use tour::Way;
 
 /// What the names of the onlooker's controls begin with.
 pub(crate) const OUTSIDE: &str = "outside.";
@@ -67,6 +77,10 @@ pub struct Desk {
     /// The step before takes this one's place as long as a key is held.
     holding: bool,
     reading: Reading,
+    /// The code is shown to the letter.
+    whole: bool,
+    /// The lights and objects that were asked for in the code, the last one first.
+    looked_at: Vec<&'static str>,
     /// The told line that keys act on.
     line: Option<LineName>,
     /// The line that was asked to be shown, and between which numbers, also where the step does not tell it.
@@ -84,6 +98,9 @@ pub struct Desk {
     /// from the top.
     pinned: Option<(f32, f32)>,
     language: Language,
+    way: Way,
+    /// What was shown before the stop, and how far the pictures are on from there.
+    glide: Option<Glide>,
     effects: Vec<Effect>,
 }
 
@@ -134,6 +151,8 @@ impl Desk {
             compare: Compare::Off,
             holding: false,
             reading: Reading::Pixel,
+            whole: false,
+            looked_at: Vec::new(),
             line: None,
             shown: None,
             what_ifs: Vec::new(),
@@ -144,6 +163,8 @@ impl Desk {
             alone: is_figure,
             pinned: None,
             language: Language::spoken(),
+            way: Way::default(),
+            glide: None,
             effects: Vec::new(),
         };
         desk.changed();
@@ -161,9 +182,9 @@ impl Desk {
         &self.programs
     }
 
-    /// The number of the step that is shown, from 1 on.
+    /// The number of the step that is shown, from 1 on; of a figure that of the last.
     pub fn step(&self) -> usize {
-        self.current + 1
+        (self.current + 1).min(self.steps())
     }
 
     /// The program that is shown.
@@ -219,10 +240,11 @@ impl Desk {
 
     /// What is read; the explanation where the program has no such text.
     pub fn reading(&self) -> Reading {
-        let Program { diff, idea, .. } = self.program();
+        let Program { code, idea, .. } = self.program();
         match self.reading {
-            Reading::Diff if diff.is_empty() => Reading::Pixel,
+            Reading::Code if code.is_empty() => Reading::Pixel,
             Reading::Idea if idea.is_empty() => Reading::Pixel,
+            Reading::Stops if self.stops().is_empty() => Reading::Pixel,
             reading => reading,
         }
     }
@@ -250,14 +272,28 @@ impl Desk {
         self.pinned
     }
 
-    /// How the pinned pixel comes by its colour.
-    pub fn explanation(&self) -> Option<Explanation> {
-        self.explanation_of(&self.setup)
+    /// What is seen just now: the step before, as long as that takes this one's place.
+    pub fn in_sight(&self) -> (&Program, &Setup) {
+        match &self.before {
+            Some(before) if self.holding => (&self.programs[self.current - 1], before),
+            _ => (self.program(), &self.setup),
+        }
     }
 
-    /// How it does so in the step before.
+    /// How the pinned pixel comes by its colour in what is seen.
+    pub fn explanation(&self) -> Option<Explanation> {
+        self.explanation_of(self.in_sight().1)
+    }
+
+    /// How it does so in the step before that.
     pub fn explanation_before(&self) -> Option<Explanation> {
-        self.explanation_of(self.before.as_ref()?)
+        self.explanation_of(self.before.as_ref().filter(|_| !self.holding)?)
+    }
+
+    /// The law of what is seen, with the pinned pixel's numbers in the light that is chosen.
+    pub fn law(&self) -> Law {
+        let (program, setup) = self.in_sight();
+        Law::new(&program.law(), self.explanation().as_ref(), setup.chosen("light"))
     }
 
     fn explanation_of(&self, setup: &Setup) -> Option<Explanation> {
@@ -274,17 +310,31 @@ impl Desk {
     /// The pictures that are to be shown: one, or, where two are compared, the step before's and
     /// this one's.
     pub fn pictures(&self) -> Vec<Wanted<'_>> {
-        let this = self.wanted(&self.setup, self.current, &self.look);
-        let before = |before| self.wanted(before, self.current - 1, &self.look_before);
-        match &self.before {
-            Some(setup) if self.holding => vec![before(setup)],
-            Some(setup) if self.compare != Compare::Off => vec![before(setup), this],
-            _ => vec![this],
+        match self.picture_before() {
+            Some(before) if self.holding => vec![before],
+            Some(before) if self.compare != Compare::Off => vec![before, self.picture_now()],
+            _ => vec![self.picture_now()],
         }
     }
 
-    fn wanted<'a>(&'a self, setup: &'a Setup, program: usize, look: &'a Look) -> Wanted<'a> {
-        let view = self.seen_from();
+    /// The picture of the step that is shown.
+    pub fn picture_now(&self) -> Wanted<'_> {
+        let (setup, view) = match &self.glide {
+            Some(glide) => (&glide.now, glide.now.view()),
+            None => (&self.setup, self.seen_from()),
+        };
+        self.wanted(setup, view, self.current, &self.look)
+    }
+
+    /// That of the step before; none before the first.
+    pub fn picture_before(&self) -> Option<Wanted<'_>> {
+        let setup = self.before.as_ref()?;
+        Some(self.wanted(setup, self.seen_from(), self.current - 1, &self.look_before))
+    }
+
+    fn wanted<'a>(
+        &'a self, setup: &'a Setup, view: &View, program: usize, look: &'a Look,
+    ) -> Wanted<'a> {
         let camera = view.camera(self.picture.aspect());
         let looked = Looked { step: setup.step(), look, eye: view.eye() };
         Wanted { setup, camera, program, looked }

@@ -1,9 +1,17 @@
 //! A step as a program.
 
+use std::rc::Rc;
+
+use crate::Code;
 use crate::Language;
+use crate::Letters;
 use crate::Make;
 use crate::Size;
+use crate::laws;
+use crate::math::symbol;
+use crate::plain;
 use crate::translated;
+use common::Line;
 
 /// A step as a program, or one of its figures.
 #[derive(Clone)]
@@ -18,13 +26,16 @@ pub struct Program {
     pub size: Size,
     /// The titles of its slides; "" where they need not be told.
     pub slides: &'static str,
-    /// Its diff to the step before; "" where there is none to be shown.
-    pub diff: &'static str,
+    /// Its code; none where there is none to be shown.
+    pub code: Rc<Code>,
     /// Its equation and idea in short, a paragraph a line, equations indented; "" where there is
     /// none to be shown.
     pub idea: &'static str,
-    /// Concept and idea in each language, in the order of all, where the catalogues do not have them.
-    pub texts: Vec<[&'static str; 2]>,
+    /// Its handout, in Markdown: its law, and which symbols are new, stand there; "" where there is none.
+    pub handout: &'static str,
+    /// Concept, idea and handout in each language, in the order of all, where the catalogues do not have
+    /// them.
+    pub texts: Vec<[&'static str; 3]>,
     /// Whether it is a step's figure, an example: its picture is first shown alone.
     pub is_figure: bool,
 }
@@ -38,8 +49,9 @@ impl Program {
             make,
             size,
             slides: "",
-            diff: "",
+            code: Rc::default(),
             idea: "",
+            handout: "",
             texts: Vec::new(),
             is_figure: false,
         }
@@ -48,9 +60,41 @@ impl Program {
     /// Concept and idea in the language that is spoken.
     pub(crate) fn told(&self) -> (&'static str, &'static str) {
         match self.texts.get(Language::spoken().place()) {
-            Some([concept, idea]) => (concept, idea),
+            Some([concept, idea, _]) => (concept, idea),
             None => (translated(self.concept), self.idea),
         }
+    }
+
+    /// The titles of the slides that its handout is about.
+    pub fn slides_of(handout: &str) -> String {
+        let mut paragraphs = handout.split("\n\n");
+        let slides = paragraphs.find_map(|paragraph| paragraph.trim().strip_prefix("Slides: "));
+        // The sentence after them is about the background.
+        let slides = slides.and_then(|slides| slides.split(". ").next()).unwrap_or_default();
+        slides.trim_end_matches('.').replace('\n', " ")
+    }
+
+    /// The equations that are its law, as its handout has them first, in LaTeX.
+    pub fn law(&self) -> Vec<&'static str> {
+        let told = self.texts.get(Language::spoken().place());
+        laws(told.map_or(self.handout, |[.., handout]| handout))
+    }
+
+    /// Whether its handout has a row that gives the symbol of `line` a meaning: what is new has one.
+    pub(crate) fn explains(&self, line: &Line) -> bool {
+        let symbol = symbol(line).key();
+        let symbols = self.handout.lines().filter_map(|line| line.strip_prefix("| "));
+        // What is known from before has no code of its own there.
+        let new = symbols
+            .filter_map(|row| row.split_once(" | ").filter(|(_, rest)| rest.starts_with('`')));
+        let mut symbols = new.flat_map(|(names, _)| names.split(", "));
+        let is_it = |name: &str| {
+            let name = name.replace(['*', '\\'], "");
+            [Letters::Scalar, Letters::Vector]
+                .iter()
+                .any(|letters| plain(&name, *letters).key() == symbol)
+        };
+        symbols.any(is_it)
     }
 
     /// What its window is called.

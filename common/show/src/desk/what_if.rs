@@ -61,6 +61,12 @@ impl WhatIf {
         Some(Self { answer, asked: line.clone(), told, of })
     }
 
+    /// Whether it changes what is told of `line`.
+    pub(crate) fn alters(&self, line: &LineName) -> bool {
+        let LineName { equation, of } = &self.answer.line;
+        *equation == line.equation && ["", &line.of].contains(&of.as_str())
+    }
+
     /// What it is called among the settings.
     pub(super) fn name(&self) -> String {
         format!("{WHAT_IF}{}", written(&self.answer.line))
@@ -87,7 +93,11 @@ impl WhatIf {
     /// What is asked of it, as it is read.
     pub(super) fn question(&self) -> String {
         let values = texts(&self.answer.value);
-        let values: Vec<&str> = values.iter().map(|text| text.trim()).collect();
+        let mut values: Vec<&str> = values.iter().map(|text| text.trim()).collect();
+        // Of grey light one number says all.
+        if values.windows(2).all(|two| two[0] == two[1]) {
+            values.truncate(1);
+        }
         format!("{} = {}", self.label(), values.join(", "))
     }
 

@@ -18,14 +18,12 @@ use strsim::damerau_levenshtein;
 use super::file;
 use super::suite::Suite;
 use super::window::Place;
+use crate::Frame;
 use crate::Language;
 use crate::Size;
 use crate::text;
 use crate::typed::typed;
 use common::View;
-
-/// The most rays a pixel are this many squared.
-pub(super) const MAX_SAMPLES: usize = 16;
 
 /// The value of an option that not every command line has.
 pub(super) fn given<T: Clone + Send + Sync + 'static>(
@@ -40,8 +38,8 @@ pub(super) fn given<T: Clone + Send + Sync + 'static>(
 pub(super) fn command(suite: &Suite) -> Command {
     let size = |text: &str| text.parse::<Size>().map_err(|error| error.to_string());
     let samples = |text: &str| match typed(text) {
-        Some(samples) if (1..=MAX_SAMPLES).contains(&samples) => Ok(samples),
-        _ => Err(text!("it takes a whole number from 1 to {most}", most = MAX_SAMPLES)),
+        Some(samples) if (1..=Frame::MAX_SAMPLES).contains(&samples) => Ok(samples),
+        _ => Err(text!("it takes a whole number from 1 to {most}", most = Frame::MAX_SAMPLES)),
     };
     let pixel = |text: &str| {
         let (col, row) = text.split_once(',').ok_or(text!("a pixel is X,Y, such as 480,270"))?;
@@ -57,6 +55,11 @@ pub(super) fn command(suite: &Suite) -> Command {
         _ => Err(text!("it takes a whole number from 1 to {most}", most = last)),
     };
     let window = |text: &str| text.parse::<Place>();
+    // How many stops there are is known when they are read.
+    let stop = |text: &str| match typed::<usize>(text) {
+        Some(stop @ 1..) => Ok(stop),
+        _ => Err(text!("it takes a whole number from 1 on")),
+    };
     let part = |text: &str| match typed::<f32>(text) {
         Some(part) if (0.0..=1.0).contains(&part) => Ok(part),
         _ => {
@@ -72,6 +75,10 @@ pub(super) fn command(suite: &Suite) -> Command {
     if last > 1 {
         command = command
             .arg(option("step", "N").value_parser(step))
+            .arg(option("stop", "N").value_parser(stop).conflicts_with("step"))
+            .arg(file("tour").value_parser(PathBufValueParser::new()))
+            .arg(Arg::new("check-tour").long("check-tour").action(ArgAction::SetTrue))
+            .arg(Arg::new("still").long("still").action(ArgAction::SetTrue))
             .arg(option("divide", "PART").value_parser(part).conflicts_with("compare"))
             .arg(
                 Arg::new("difference")
@@ -95,6 +102,10 @@ pub(super) fn command(suite: &Suite) -> Command {
             .arg(option("open", "ADDRESS"))
             .arg(option("window", "WxH+X+Y").value_parser(window));
     }
+    if suite.programs.iter().any(|program| !program.code.is_empty()) {
+        let code = Arg::new("code").long("code").action(ArgAction::SetTrue);
+        command = command.arg(code.requires("pixel"));
+    }
     if suite.page.is_some() {
         let html = PathBufValueParser::new().try_map(|path| match path.extension() {
             Some(end) if end.eq_ignore_ascii_case("html") => Ok(path),
@@ -104,7 +115,27 @@ pub(super) fn command(suite: &Suite) -> Command {
             }
         });
         let page = file("page").value_parser(html);
-        command = command.arg(page.exclusive(true));
+        let others = [
+            "size",
+            "camera",
+            "set",
+            "samples",
+            "pixel",
+            "outside",
+            "compare",
+            "show",
+            "range",
+            "curve",
+            "what-if",
+            "divide",
+            "difference",
+            "output",
+            "step",
+            "stop",
+            "check-tour",
+            "code",
+        ];
+        command = command.arg(page.conflicts_with_all(others));
     }
     command
         .arg(file("output").short('o').value_parser(png))
@@ -121,6 +152,7 @@ pub(super) fn command(suite: &Suite) -> Command {
                 .requires("pixel"),
         )
         .arg(option("what-if", "LINE=V").action(ArgAction::Append))
+        .arg(Arg::new("code").long("code").action(ArgAction::SetTrue))
         .arg(option("samples", "N").value_parser(samples))
         .arg(option("pixel", "X,Y").value_parser(pixel))
         .arg(

@@ -20,18 +20,23 @@ use super::exercises::Verdict;
 use super::file;
 use super::help::help;
 use super::job::Job;
+use super::printed;
+use super::remembered::Remembered;
 use super::said::print;
 use super::said::report;
 use super::said::tell;
 use super::shell;
 use super::suite::Suite;
+use super::tours;
 use super::watch::Watch;
 use super::window::Place;
 use super::window::Window;
 use crate::Act;
 use crate::Desk;
 use crate::Effect;
+use crate::Event;
 use crate::Program;
+use crate::Reading;
 use crate::Refusal;
 use crate::Session;
 use crate::SettingError;
@@ -61,8 +66,23 @@ fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
         }
         Err(error) => return usage(&refusal(&error)),
     };
-    if let (Some(path), Some(page)) = (given::<PathBuf>(&matches, "page"), suite.page) {
-        return status(write_page(suite.name, &path, page).map(|()| true));
+    let (begins, stop) = (tours::begins(suite, &matches), given::<usize>(&matches, "stop"));
+    let page = given::<PathBuf>(&matches, "page").zip(suite.page);
+    let checks = given::<bool>(&matches, "check-tour") == Some(true);
+    let mut all = Vec::new();
+    let is_given = |name| given::<PathBuf>(&matches, name).is_some();
+    let opens = !["output", "compare"].into_iter().any(is_given);
+    if opens || checks || stop.is_some() {
+        match tours::tours(suite, &matches) {
+            Ok(tours) => all = tours,
+            Err(error) => return status(Err(error)),
+        }
+    }
+    if let Some((path, page)) = page {
+        return status(write_page(suite.name, &path, || page(&all)).map(|()| true));
+    }
+    if checks {
+        return status(tours::check(suite, all));
     }
     let printed = ["check", "compare", "pixel"]
         .into_iter()
@@ -76,7 +96,10 @@ fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
     }
     let current = given::<usize>(&matches, "step").map_or(0, |step| step - 1);
     let program = &suite.programs[current];
-    let mut desk = Desk::new(suite.programs.clone(), current);
+    let mut desk = suite.desk(current).touring(all);
+    if let Some(Err(refusal)) = stop.map(|stop| desk.act(Act::Stop(stop))) {
+        return usage(&refusal.to_string());
+    }
     if let Err(error) = check_loop(desk.setup().step()) {
         return status(Err(anyhow!(error)));
     }
@@ -89,27 +112,34 @@ fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
         Err(message) => return usage(&message),
     };
     if let Some(explanation) = printed {
-        let printed = print(explanation.as_bytes());
+        let printed = match given::<bool>(&matches, "code") {
+            Some(true) => print(printed::code(&desk, printed::is_coloured()).as_bytes()),
+            _ => print(explanation.as_bytes()),
+        };
         if output.is_none() || printed.is_err() {
             return status(printed.map(|()| true));
         }
     }
     let compared = matches.contains_id("compare");
-    let desk = desk.sampled(matches.get_one("samples").copied().unwrap_or(1));
+    let desk = match matches.get_one("samples") {
+        Some(samples) => desk.sampled(*samples),
+        None => desk,
+    };
     let desk = match if compared { desk.greyed() } else { Ok(desk) } {
         Ok(desk) => desk,
         Err(refusal) => return usage(&refusal.to_string()),
     };
-    let job = Job { name: suite.name, exercises: suite.exercises, session: Session::new(desk) };
+    let job =
+        |desk| Job { name: suite.name, exercises: suite.exercises, session: Session::new(desk) };
     if let Some(expected) = matches.get_one::<PathBuf>("compare") {
         if output.is_some_and(|output| file::is_same(output, expected)) {
             return usage(text!("--output names the file to compare, which would be overwritten"));
         }
-        return status(job.compare(expected, output));
+        return status(job(desk).compare(expected, output));
     }
     match output {
-        Some(path) => status(job.write(path).map(|()| true)),
-        None => open(job, program, &matches),
+        Some(path) => status(job(desk).write(path).map(|()| true)),
+        None => open(suite, desk, begins, &matches),
     }
 }
 
@@ -134,8 +164,8 @@ fn check(exercises: &dyn Exercises, program: &Program, other: &str, output: &Pat
 }
 
 /// Shows it all in a window, or, with no display, writes the picture.
-fn open(job: Job<'_>, program: &Program, matches: &ArgMatches) -> ExitCode {
-    let name = job.name;
+fn open(suite: &Suite, mut desk: Desk, begins: bool, matches: &ArgMatches) -> ExitCode {
+    let name = suite.name;
     let watch = match given::<bool>(matches, "watch") {
         Some(true) => match Watch::new(name) {
             Ok(watch) => Some(watch),
@@ -143,19 +173,36 @@ fn open(job: Job<'_>, program: &Program, matches: &ArgMatches) -> ExitCode {
         },
         _ => None,
     };
-    let size = job.session.desk().picture_size();
+    let title = desk.tours().first().map(|tour| tour.title.clone());
+    let remembered = title.map_or(Remembered::default(), |title| Remembered::of(&title));
+    // minifb knows of no screen: a class opens as large as the last one was left.
+    let usual = match begins {
+        true => remembered.size.or(Size::new(1280, 720).ok()).unwrap_or(Size::DEFAULT),
+        false => desk.picture_size(),
+    };
+    let size = matches.get_one::<Size>("size").copied().unwrap_or(usual);
     let place = given::<Place>(matches, "window").unwrap_or(Place { size, at: None });
-    match Window::open(&program.title(), place) {
-        Ok(window) => status(shell::run(name, window, job.session, watch).map(|()| true)),
+    match Window::open(&desk.title(), place) {
+        Ok(window) => {
+            let offer = begins.then(|| tours::begin(&mut desk, &remembered)).flatten();
+            let mut session = Session::new(desk);
+            if let Some(offer) = offer {
+                session.handle(Event::Say(offer));
+            }
+            let still = given::<bool>(matches, "still") == Some(true);
+            status(shell::run(name, window, session, watch, (remembered, still)).map(|()| true))
+        }
         Err(error) => {
             report(name, &text!("no window ({error}), so the picture goes to a file", error));
+            let job = Job { name, exercises: suite.exercises, session: Session::new(desk) };
             status(job.write_new().map(|()| true))
         }
     }
 }
 
 /// Does on the desk what the arguments say; what is to be printed of a pixel.
-fn arrange(desk: &mut Desk, matches: &ArgMatches) -> Result<Option<String>, String> {
+pub(super) fn arrange(desk: &mut Desk, matches: &ArgMatches) -> Result<Option<String>, String> {
+    let outside = matches.get_flag("outside") || desk.onlooker().is_some();
     let camera = matches.get_one::<String>("camera").map(|kind| format!("camera={kind}"));
     let settings = matches.get_many::<String>("set").unwrap_or_default().cloned();
     let mut acts: Vec<Act> = given(matches, "open").map(Act::Open).into_iter().collect();
@@ -167,7 +214,10 @@ fn arrange(desk: &mut Desk, matches: &ArgMatches) -> Result<Option<String>, Stri
     }
     // To begin with the onlooker is where the camera as it is set puts it.
     acts.sort_by_key(|act| matches!(act, Act::Set(name, _) if name.starts_with("outside.")));
-    acts.extend(matches.get_one::<Size>("size").map(|size| Act::Size(*size)));
+    // In a class it is the window's, as each stop has a size of its own.
+    let is_of_picture = desk.stop().is_none() || matches.contains_id("output");
+    let size = matches.get_one::<Size>("size").filter(|_| is_of_picture);
+    acts.extend(size.map(|size| Act::Size(*size)));
     match (given::<f32>(matches, "divide"), given::<bool>(matches, "difference")) {
         (Some(part), _) => acts.extend([Act::Divide, Act::DivideAt(part)]),
         (None, Some(true)) => acts.push(Act::Difference),
@@ -177,7 +227,7 @@ fn arrange(desk: &mut Desk, matches: &ArgMatches) -> Result<Option<String>, Stri
     acts.extend(what_ifs.cloned().map(Act::Answer));
     let compares = acts.iter().any(|act| matches!(act, Act::DivideAt(_) | Act::Difference));
     if compares && desk.step() == 1 {
-        let last = desk.programs().len();
+        let last = desk.steps();
         return Err(text!("there is no step before step 1: compare --step 2 to {last}", last));
     }
     if let Some((col, row)) = matches.get_one::<(usize, usize)>("pixel") {
@@ -202,6 +252,7 @@ fn arrange(desk: &mut Desk, matches: &ArgMatches) -> Result<Option<String>, Stri
     acts.extend(shown.cloned().map(Act::ShowNamed));
     acts.extend(matches.get_one::<String>("range").cloned().map(Act::Range));
     acts.extend(matches.get_flag("curve").then_some(Act::Curve));
+    acts.extend(matches.get_flag("code").then_some(Act::Read(Reading::Code)));
     let mut printed = None;
     for act in acts {
         for effect in desk.act(act).map_err(|refusal| told(&refusal))? {
@@ -210,7 +261,7 @@ fn arrange(desk: &mut Desk, matches: &ArgMatches) -> Result<Option<String>, Stri
             }
         }
     }
-    if matches.get_flag("outside") != desk.onlooker().is_some() {
+    if outside != desk.onlooker().is_some() {
         desk.act(Act::Outside).map_err(|refusal| told(&refusal))?;
     }
     Ok(printed)
@@ -223,7 +274,7 @@ fn told(refusal: &Refusal) -> String {
     }
 }
 
-fn write_page(name: &str, path: &Path, page: fn() -> Result<String>) -> Result<()> {
+fn write_page(name: &str, path: &Path, page: impl FnOnce() -> Result<String>) -> Result<()> {
     file::check_destination(path)?;
     let page = page()?;
     file::save(page.as_bytes(), path)?;

@@ -1,3 +1,5 @@
+//! Pictures in files: written, numbered, read, and what is said when that fails.
+
 use std::fs;
 use std::fs::File;
 use std::io;

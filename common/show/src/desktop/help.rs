@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::arguments::MAX_SAMPLES;
 use super::suite::Suite;
+use crate::Frame;
 use crate::Setting;
 use crate::Setup;
 use crate::keys;
@@ -12,22 +12,27 @@ use crate::translated;
 use common::View;
 
 pub(super) fn help(suite: &Suite) -> String {
-    let Suite { name, concept, programs, page, exercises } = suite;
+    let Suite { name, concept, programs, page, exercises, .. } = suite;
     let (size, last) = (programs[0].size, programs.len());
     let mut lecture = String::new();
     if last > 1 {
         lecture = text!(
             "
-      --step N            begin with that step (1; at most {last})
+      --step N            begin with that step (1; at most {last}), not with the class's first stop
+      --stop N            begin at that stop of the class
+      --tour FILE         a class of your own in place of the lecture's, in the same Markdown
+      --check-tour        which stops show nothing, or what the one before shows; exit 1 if any do
+      --still             nothing glides from one stop to the next
       --divide PART       the step before left of PART of the width, such as 0.5
-      --difference        how far each pixel is from the step before's, times 8",
+      --difference        where there is more light than in the step before, and less",
             last
         );
     }
     if page.is_some() {
         lecture += text!(
             "
-      --page FILE         write all steps as one web page, to be opened by a double click"
+      --page FILE         write all steps as one web page, to be opened by a double click; with
+                          --tour, for that class"
         );
     }
     let check = match exercises {
@@ -42,6 +47,13 @@ pub(super) fn help(suite: &Suite) -> String {
       --open ADDRESS      what an address of this program or of the page shows, from its # on
       --window WxH+X+Y    the window's size, and its place on the screen"
         ),
+    };
+    let code = match programs.iter().any(|program| !program.code.is_empty()) {
+        true => text!(
+            "
+      --code              with --pixel, the code that ran for it, each line with its numbers"
+        ),
+        false => "",
     };
     let mut text = text!(
         "{name}: {concept}
@@ -58,7 +70,7 @@ Options:
       --set NAME=VALUE    set a control, as its slider would; repeatable, applied in order
       --samples N         N×N rays a pixel (1; at most {most})
       --pixel X,Y         print that pixel's equations with their numbers; with -o, write the
-                          picture with its rays and vectors, and the equations beside it
+                          picture with its rays and vectors, and the equations beside it{code}
       --outside           with -o, write the camera as it is seen from outside; --set also takes
                           outside.azimuth, outside.elevation and outside.distance
       --show LINE         the picture of a told line at every pixel: 'n·l', 'key: n·l'; one that
@@ -79,8 +91,9 @@ Controls (default):
         concept = translated(concept),
         size,
         cameras = View::PROJECTIONS.join(" | "),
-        most = MAX_SAMPLES,
+        most = Frame::MAX_SAMPLES,
         check,
+        code,
         lecture
     );
     let mut listed: Vec<String> = Vec::new();

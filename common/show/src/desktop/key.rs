@@ -83,7 +83,7 @@ fn meant(character: char) -> Option<char> {
 fn session_key(key: minifb::Key) -> Option<Key> {
     use minifb::Key as K;
 
-    const LETTERS: [(K, char); 38] = [
+    const LETTERS: [(K, char); 39] = [
         (K::A, 'A'),
         (K::B, 'B'),
         (K::C, 'C'),
@@ -121,6 +121,7 @@ fn session_key(key: minifb::Key) -> Option<Key> {
         (K::Key8, '8'),
         (K::Key9, '9'),
         (K::Minus, '-'),
+        (K::Period, '.'),
         (K::Equal, '+'),
     ];
     Some(match key {
@@ -141,6 +142,7 @@ fn session_key(key: minifb::Key) -> Option<Key> {
         K::F2 => Key::F(2),
         K::F3 => Key::F(3),
         K::F4 => Key::F(4),
+        K::F5 => Key::F(5),
         K::F11 => Key::F(11),
         K::NumPadPlus => Key::Char('+'),
         K::NumPadMinus => Key::Char('-'),

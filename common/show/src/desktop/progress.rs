@@ -1,3 +1,5 @@
+//! How far a long picture is, on a terminal.
+
 use std::io;
 use std::io::IsTerminal;
 use std::io::Write;

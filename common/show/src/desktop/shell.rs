@@ -6,9 +6,6 @@ use std::ops::ControlFlow;
 use std::panic;
 use std::panic::AssertUnwindSafe;
 use std::process::Command;
-use std::sync::Arc;
-use std::sync::Mutex;
-use std::sync::PoisonError;
 use std::thread;
 use std::time::Duration;
 use std::time::Instant;
@@ -16,16 +13,16 @@ use std::time::Instant;
 use anyhow::Context;
 use anyhow::Result;
 use image::RgbImage;
-use minifb::MouseMode;
 
 use super::drawing::Drawing;
 use super::file;
-use super::key::Typed;
+use super::panicked::Panicked;
+use super::remembered::Remembered;
 use super::said::print;
 use super::said::report;
-use super::watch;
 use super::watch::News;
 use super::watch::Watch;
+use super::watch::replace;
 use super::window::Window;
 use crate::Effect;
 use crate::Event;
@@ -38,6 +35,9 @@ use crate::text;
 /// From one picture to the next while something is being changed, the work of the window system
 /// included: 40 a second.
 const PERIOD: Duration = Duration::from_millis(25);
+
+/// How long the pictures are on their way from one stop to the next.
+const GLIDE: Duration = Duration::from_millis(250);
 
 /// Between two looks at keys and mouse when there is nothing to do.
 const REST: Duration = Duration::from_millis(8);
@@ -55,16 +55,19 @@ const PANICS: usize = 3;
 ///
 /// When the window system, or standard output, fails.
 pub(super) fn run(
-    name: &'static str, window: Window, session: Session, watch: Option<Watch>,
+    name: &'static str, window: Window, mut session: Session, watch: Option<Watch>,
+    (remembered, still): (Remembered, bool),
 ) -> Result<()> {
     let size = window.size().context(text!("the window has no size"))?;
+    session.handle(Event::Resize(size));
+    let begun = session.desk().stop().map(|(number, _)| number);
     let shell = Shell {
         name,
         watch,
-        panicked: on_panic(),
+        panicked: Panicked::listen(),
         panics: 0,
         broken: false,
-        titled: session.desk().program().title(),
+        titled: session.desk().title(),
         window,
         session,
         drawings: Vec::new(),
@@ -74,6 +77,11 @@ pub(super) fn run(
         pointer: (0.0, 0.0),
         down: false,
         fine: false,
+        ctrl: false,
+        still,
+        glide: None,
+        begun,
+        remembered,
         active: false,
         redraw: true,
         repaint: false,
@@ -83,37 +91,45 @@ pub(super) fn run(
 }
 
 /// A window and what is seen in it.
-struct Shell {
-    name: &'static str,
-    watch: Option<Watch>,
+pub(super) struct Shell {
+    pub(super) name: &'static str,
+    pub(super) watch: Option<Watch>,
     /// What was said of a panic that nobody was told of yet.
-    panicked: Arc<Mutex<Option<String>>>,
+    pub(super) panicked: Panicked,
     /// How many turns in a row panicked.
-    panics: usize,
+    pub(super) panics: usize,
     /// The drawings panic, as long as nothing is changed.
-    broken: bool,
-    window: Window,
-    session: Session,
-    titled: String,
+    pub(super) broken: bool,
+    pub(super) window: Window,
+    pub(super) session: Session,
+    pub(super) titled: String,
     /// The pictures that the session wants, in its order, each with its program.
-    drawings: Vec<(usize, Drawing)>,
+    pub(super) drawings: Vec<(usize, Drawing)>,
     /// The pictures that are to be saved as soon as they are complete; until then further input
-    /// waits, but for Escape.
-    saving: Option<Vec<Drawing>>,
-    painted: RgbImage,
-    size: Size,
-    pointer: (f32, f32),
+    /// waits.
+    pub(super) saving: Option<Vec<Drawing>>,
+    pub(super) painted: RgbImage,
+    pub(super) size: Size,
+    pub(super) pointer: (f32, f32),
     /// The mouse button is down, as far as the session knows.
-    down: bool,
+    pub(super) down: bool,
     /// Shift is down.
-    fine: bool,
-    active: bool,
+    pub(super) fine: bool,
+    pub(super) ctrl: bool,
+    /// Nothing glides.
+    pub(super) still: bool,
+    /// Since when the pictures are on their way to a stop.
+    pub(super) glide: Option<Instant>,
+    pub(super) remembered: Remembered,
+    /// The stop at which the class began, until it goes on: until then the last class is remembered.
+    pub(super) begun: Option<usize>,
+    pub(super) active: bool,
     /// The drawings are not what the session wants.
-    redraw: bool,
+    pub(super) redraw: bool,
     /// What is on the screen is not all that there is to be shown.
-    repaint: bool,
+    pub(super) repaint: bool,
     /// When the pictures of the last second were done.
-    done: VecDeque<Instant>,
+    pub(super) done: VecDeque<Instant>,
 }
 
 impl Shell {
@@ -144,11 +160,15 @@ impl Shell {
         }
         if let Some(size) = self.window.size().filter(|size| *size != self.size) {
             self.size = size;
-            if self.tell(Event::Resize(size))?.is_break() {
-                return Ok(ControlFlow::Break(()));
-            }
+            self.tell(Event::Resize(size))?;
         }
         self.go_on()?;
+        if let Some(start) = self.glide {
+            let part = start.elapsed().as_secs_f32() / GLIDE.as_secs_f32();
+            self.glide = self.glide.filter(|_| part < 1.0);
+            self.tell(Event::Glide(part))?;
+        }
+        self.remember();
         if mem::take(&mut self.redraw) {
             self.restart();
         }
@@ -162,7 +182,7 @@ impl Shell {
 
     /// Says what panicked, and draws no more of it until something is changed.
     fn give_up(&mut self) {
-        let said = self.panicked.lock().unwrap_or_else(PoisonError::into_inner).take();
+        let said = self.panicked.take();
         self.saving = None;
         self.broken = true;
         if let Some(said) = said {
@@ -216,7 +236,7 @@ impl Shell {
     /// Starts the pictures that the session wants.
     fn restart(&mut self) {
         self.broken = false;
-        let title = self.session.desk().program().title();
+        let title = self.session.desk().title();
         if self.titled != title {
             self.window.window.set_title(&title);
             self.titled = title;
@@ -307,67 +327,8 @@ impl Shell {
         status
     }
 
-    /// Takes all keys and the mouse into account; a break when the program shall end.
-    fn input(&mut self) -> Result<ControlFlow<()>> {
-        if self.saving.is_some() {
-            let quits = |typed: &Typed| typed.key == minifb::Key::Escape && typed.down;
-            let quit = self.window.typed.iter().any(quits);
-            return Ok(if quit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) });
-        }
-        let mut events = Vec::new();
-        let active = self.window.window.is_active();
-        if mem::replace(&mut self.active, active) && !active {
-            // Who leaves by Alt+Shift+Tab lets go of Shift elsewhere.
-            self.fine = false;
-            events.push(Event::FocusLost);
-        }
-        self.mouse(&mut events);
-        for event in events {
-            if self.tell(event)?.is_break() {
-                return Ok(ControlFlow::Break(()));
-            }
-        }
-        while self.saving.is_none() {
-            let Some(typed) = self.window.typed.pop_front() else {
-                break;
-            };
-            if matches!(typed.key, minifb::Key::LeftShift | minifb::Key::RightShift) {
-                self.fine = typed.down;
-                continue;
-            }
-            let event = typed.session_key().map(|key| match typed.down {
-                true => Event::Key(key, self.fine),
-                false => Event::KeyUp(key),
-            });
-            if let Some(event) = event
-                && self.tell(event)?.is_break()
-            {
-                return Ok(ControlFlow::Break(()));
-            }
-        }
-        Ok(ControlFlow::Continue(()))
-    }
-
-    fn mouse(&mut self, events: &mut Vec<Event>) {
-        if let Some((x, y)) = self.window.window.get_mouse_pos(MouseMode::Pass) {
-            let (down, was_down) = (self.window.pressed, self.down);
-            self.down = down;
-            match (was_down, down) {
-                (false, true) => events.push(Event::Press(x, y)),
-                (true, false) => events.push(Event::Release(x, y)),
-                _ if (x, y) != self.pointer => events.push(Event::Move(x, y)),
-                _ => {}
-            }
-            self.pointer = (x, y);
-        }
-        let notches = mem::take(&mut self.window.wheel);
-        if notches != 0.0 {
-            events.push(Event::Wheel(notches));
-        }
-    }
-
     /// Tells the session of an event, and does what it asks for.
-    fn tell(&mut self, event: Event) -> Result<ControlFlow<()>> {
+    pub(super) fn tell(&mut self, event: Event) -> Result<()> {
         for effect in self.session.handle(event) {
             match effect {
                 Effect::Redraw => {
@@ -391,14 +352,30 @@ impl Shell {
                     };
                     self.saving = Some(desk.pictures().into_iter().map(drawing).collect());
                     self.session.handle(Event::Say(
-                        text!("saved as soon as it is complete; Esc quits").to_owned(),
+                        text!("saved as soon as it is complete; Ctrl+Q quits").to_owned(),
                     ));
                     self.repaint = true;
                 }
-                Effect::Quit => return Ok(ControlFlow::Break(())),
+                // Where a picture takes long, a way of pictures takes longer.
+                Effect::Glide if self.still || self.window.cost > 2 * PERIOD => {
+                    self.tell(Event::Glide(1.0))?;
+                }
+                Effect::Glide => self.glide = Some(Instant::now()),
             }
         }
-        Ok(ControlFlow::Continue(()))
+        Ok(())
+    }
+
+    /// Remembers where the class is, for a next time.
+    fn remember(&mut self) {
+        let desk = self.session.desk();
+        let Some((number, _)) = desk.stop() else { return };
+        self.begun = self.begun.filter(|begun| *begun == number);
+        let stop = if self.begun.is_some() { self.remembered.stop } else { number };
+        if (self.remembered.stop, self.remembered.size) != (stop, Some(self.size)) {
+            (self.remembered.stop, self.remembered.size) = (stop, Some(self.size));
+            self.remembered.write();
+        }
     }
 
     /// Goes on with the picture that is to be saved, and saves it if it is complete.
@@ -424,36 +401,6 @@ impl Shell {
             Err(error) => file::told(&error),
         };
         report(name, &done);
-        self.tell(Event::Say(done)).map(|_| ())
+        self.tell(Event::Say(done))
     }
-}
-
-/// Where a panic is told, in place of standard error: the first until it is taken, since each of half a
-/// million pixels may panic.
-fn on_panic() -> Arc<Mutex<Option<String>>> {
-    let panicked = Arc::new(Mutex::new(None));
-    let first = panicked.clone();
-    panic::set_hook(Box::new(move |info| {
-        let payload = info.payload();
-        let why = payload.downcast_ref::<String>().map(String::as_str);
-        let why = why.or(payload.downcast_ref::<&str>().copied()).unwrap_or_default();
-        let place = info.location().map(ToString::to_string).unwrap_or_default();
-        let mut first = first.lock().unwrap_or_else(PoisonError::into_inner);
-        first.get_or_insert_with(|| watch::panicked(&place, why));
-    }));
-    panicked
-}
-
-/// Runs `command` in place of this program: in its terminal, and ended with it. Gives back only why
-/// it cannot, or that it has ended.
-#[cfg(unix)]
-fn replace(command: &mut Command) -> Result<()> {
-    use std::os::unix::process::CommandExt as _;
-    Err(command.exec().into())
-}
-
-#[cfg(not(unix))]
-fn replace(command: &mut Command) -> Result<()> {
-    let status = command.status()?;
-    std::process::exit(status.code().unwrap_or(1))
 }

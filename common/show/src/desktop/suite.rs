@@ -3,7 +3,12 @@
 use anyhow::Result;
 
 use super::exercises::Exercises;
+use crate::Desk;
 use crate::Program;
+use crate::Tour;
+
+/// What makes the web page, with these tours.
+pub type MakePage = fn(&[Tour]) -> Result<String>;
 
 /// What a command line starts: a step, or the lecture with all steps.
 pub struct Suite {
@@ -11,10 +16,14 @@ pub struct Suite {
     pub name: &'static str,
     /// The line that says what it shows.
     pub concept: &'static str,
-    /// At least one.
+    /// The steps, at least one.
     pub programs: Vec<Program>,
-    /// The web page with all steps, where there is one to be written.
-    pub page: Option<fn() -> Result<String>>,
+    /// Their figures, which a tour may show.
+    pub figures: Vec<Program>,
+    /// The tour in each language, where there is one: the name of its text, and the text.
+    pub tours: Vec<(&'static str, &'static str)>,
+    /// The web page with all steps and these tours, where there is one to be written.
+    pub page: Option<MakePage>,
     /// Those who know the exercises, if these are asked for.
     pub exercises: Option<&'static dyn Exercises>,
 }
@@ -23,6 +32,13 @@ impl Suite {
     /// The same program with nothing but this.
     pub(super) fn of(program: Program) -> Self {
         let Program { name, concept, .. } = program;
-        Self { name, concept, programs: vec![program], page: None, exercises: None }
+        let (programs, figures, tours) = (vec![program], Vec::new(), Vec::new());
+        Self { name, concept, programs, figures, tours, page: None, exercises: None }
+    }
+
+    /// A desk with all of it, which shows the program at the place `current`: a step or, after these, a
+    /// figure.
+    pub(super) fn desk(&self, current: usize) -> Desk {
+        Desk::new([&*self.programs, &*self.figures].concat(), current)
     }
 }

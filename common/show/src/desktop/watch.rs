@@ -23,6 +23,7 @@ use std::time::Instant;
 use anyhow::Context;
 use anyhow::Result;
 
+use super::panicked::panicked;
 use super::workspace::Workspace;
 use super::workspace::built_program;
 use crate::Language;
@@ -126,6 +127,7 @@ impl Watcher {
     }
 
     fn build(&self) -> Result<News> {
+        // Who shows nothing any more wants nothing tried.
         let arguments = self.arguments.recv_timeout(PATIENCE).unwrap_or_default();
         let mut cargo = self.workspace.cargo(self.name);
         if std::env::current_exe()?.parent().is_some_and(|folder| folder.ends_with("release")) {
@@ -212,7 +214,16 @@ fn first_panic(said: &str) -> String {
     }
 }
 
-/// What is said of a panic.
-pub(super) fn panicked(place: &str, why: &str) -> String {
-    text!("{place}: the program panics: {why}", place, why)
+/// Runs `command` in place of this program: in its terminal, and ended with it. Gives back only why
+/// it cannot, or that it has ended.
+#[cfg(unix)]
+pub(super) fn replace(command: &mut Command) -> Result<()> {
+    use std::os::unix::process::CommandExt as _;
+    Err(command.exec().into())
+}
+
+#[cfg(not(unix))]
+pub(super) fn replace(command: &mut Command) -> Result<()> {
+    let status = command.status()?;
+    std::process::exit(status.code().unwrap_or(1))
 }

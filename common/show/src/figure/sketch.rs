@@ -1,3 +1,5 @@
+//! A plane drawing with axes, on which a figure puts lines, points and words.
+
 use std::ops::Range;
 
 use crate::Anchor;

@@ -5,9 +5,12 @@ use super::Quantity;
 use super::Scale;
 use crate::Anchor;
 use crate::Area;
+use crate::Boxed;
 use crate::Canvas;
 use crate::Font;
 use crate::Ink;
+use crate::Letters;
+use crate::plain;
 use crate::text;
 use crate::translated;
 use canvas::STRIPES;
@@ -37,25 +40,53 @@ impl Legend<'_> {
     /// How high it is, in ems.
     pub const HEIGHT: f32 = 4.2;
 
+    /// Whose the line is, and in what it is measured.
+    fn around(&self) -> (String, &'static str) {
+        let about = match self.quantity.line.of.as_str() {
+            "" => String::new(),
+            of => format!("{}: ", translated(of)),
+        };
+        let unit = match self.quantity.map() {
+            Map::Distances(_) => text!(" · distance from the eye"),
+            _ => "",
+        };
+        (about, unit)
+    }
+
+    /// It in words, for who does not see it.
+    pub fn words(&self) -> String {
+        let (about, unit) = self.around();
+        let title = format!("{about}{}{unit}", translated(&self.quantity.line.equation));
+        match self.quantity.map().scale() {
+            Some(Scale { low, high, .. }) => {
+                text!("{title}, from {low} to {high}", title, low, high)
+            }
+            None => title,
+        }
+    }
+
     /// Draws it in `area`, with text of this size: the line's name, then its colours with what they
     /// stand for, and the pinned pixel's value marked.
     pub fn draw(&self, canvas: &mut Canvas<'_>, area: Area, em: f32) {
         let (line, map) = (&self.quantity.line, self.quantity.map());
-        let about = match line.of.as_str() {
-            "" => String::new(),
-            of => format!("{}: ", translated(of)),
+        let (about, unit) = self.around();
+        let kind = if matches!(map, Map::Directions | Map::Distances(_)) {
+            Letters::Vector
+        } else {
+            Letters::Scalar
         };
-        let unit = match map {
-            Map::Distances(_) => text!(" · distance from the eye"),
-            _ => "",
-        };
-        let title = format!("{about}{}{unit}", translated(&line.equation));
         let not_told = text!("not told");
         let note = Font::width(em, not_told) + 1.6 * em;
         let (top, right) = (area.at(Anchor::TopLeft), area.at(Anchor::TopRight));
         let room = area.width - note;
-        canvas.text_within(top, Anchor::TopLeft, em, TEXT, &title, room);
-        let wide = Font::width(em, &title) + em;
+        canvas.text_within(top, Anchor::TopLeft, em, TEXT, &about, room);
+        let mut wide = Font::width(em, &about);
+        let title = plain(translated(&line.equation), kind);
+        let title = Boxed::within(&title, em, (room - wide).max(1.0));
+        title.draw(canvas, (top.0 + wide, top.1 + 0.93 * em), TEXT, false);
+        wide += title.width;
+        canvas.text_within((top.0 + wide, top.1), Anchor::TopLeft, em, FAINT, unit, room - wide);
+        wide += Font::width(em, unit) + em;
         let after = (top.0 + wide, top.1);
         canvas.text_within(
             after,

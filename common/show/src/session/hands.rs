@@ -10,6 +10,7 @@ use crate::Compare;
 use crate::Effect;
 use crate::Handle;
 use crate::over::point_at;
+use crate::pointed::line_at;
 use common::View;
 
 /// What the mouse button took hold of.
@@ -47,16 +48,20 @@ impl Session {
     pub(super) fn press(&mut self, at: (f32, f32)) {
         self.note = None;
         self.ask(Effect::Repaint);
+        self.held = Held::Panel;
+        if self.desk.is_blank() {
+            return self.act(Act::Blank);
+        }
         let layout = self.layout();
         if layout.picture.contains(at) {
             self.held = self.take_hold(at, &layout);
             return;
         }
-        self.held = Held::Panel;
         if let Some((target, on_slider)) = self.reading_panel().and_then(|panel| panel.target(at)) {
             match (target, on_slider) {
                 (Target::Fold(fold), false) => self.toggle(fold),
                 (Target::Line(line), _) => self.act(Act::Show(line)),
+                (Target::Listed(place), _) => self.do_act(Act::Listed(place)),
                 _ => {}
             }
             return;
@@ -95,10 +100,21 @@ impl Session {
         Held::Picture { at, azimuth, elevation, click: true }
     }
 
-    /// The line under the pointer is the one that keys act on.
+    /// The line under the pointer, beside the picture or in it, is the one that keys act on.
     pub(super) fn choose(&mut self) {
+        if !matches!(self.held, Held::Nothing) {
+            return;
+        }
+        let Layout { picture, em, .. } = self.layout();
+        if picture.contains(self.pointer) {
+            let line = line_at(&self.desk, picture, self.pointer, 0.5 * em.max(8.0));
+            if let Some(line) = line.filter(|line| self.desk.line() != Some(line)) {
+                self.do_act(Act::Choose(line));
+            }
+            return;
+        }
         let target = self.reading_panel().and_then(|panel| panel.target(self.pointer));
-        if let (Held::Nothing, Some((Target::Line(line), _))) = (&self.held, target)
+        if let Some((Target::Line(line), _)) = target
             && self.desk.line() != Some(&line)
         {
             self.act(Act::Choose(line));
@@ -152,7 +168,10 @@ impl Session {
     pub(super) fn wheel(&mut self, notches: f32) {
         let at = self.pointer;
         let lines = -SCROLL * notches;
-        if let Some(panel) = self.reading_panel().filter(|panel| panel.area().contains(at)) {
+        // Over the law too, which stays where it is.
+        let reading = self.layout().beside.and_then(|beside| beside.reading);
+        let is_read = |at| reading.is_some_and(|area| area.contains(at));
+        if let Some(panel) = self.reading_panel().filter(|_| is_read(at)) {
             self.reading_scroll = panel.scroll() + lines;
             return self.ask(Effect::Repaint);
         }

@@ -14,6 +14,11 @@ const LEAST_TEXT: f32 = 5.0;
 /// How wide the column beside the picture is, in ems: as wide as three numbers of an explanation.
 const COLUMN: f32 = 18.0;
 
+/// How high a stop's text is with what stands over it, in ems: three lines.
+const STOP: f32 = 5.8;
+/// How much of the width code takes.
+const CODE_COLUMN: f32 = 0.58;
+
 /// Where things have their place in a window. Nothing lies over anything else.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Layout {
@@ -27,6 +32,8 @@ pub(super) struct Layout {
     pub(super) curve: Option<Area>,
     /// What there is beside the picture; none when it is hidden.
     pub(super) beside: Option<Beside>,
+    /// The stop's text, below all of it, if there is one.
+    pub(super) stop: Option<Area>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,10 +59,14 @@ pub(super) struct Wishes {
     pub(super) hidden: bool,
     /// Whether there is something to be read.
     pub(super) reading: bool,
+    /// Whether that is code, whose lines are long.
+    pub(super) code: bool,
     /// Whether a quantity is shown.
     pub(super) legend: bool,
     /// Whether it is seen as a curve too.
     pub(super) curve: bool,
+    /// Whether there is a stop's text.
+    pub(super) stop: bool,
 }
 
 /// The largest area of this aspect in `outer`, at least a pixel wide and high: at its top, in the
@@ -77,12 +88,18 @@ impl Layout {
     /// How high a row of text is, in ems.
     pub(super) const ROW: f32 = 1.2;
 
+    /// How large code is beside other text: so many lines, and so long ones, are seen at once.
+    pub(super) const CODE: f32 = 0.72;
+
     pub(super) fn new(wishes: &Wishes) -> Self {
-        let Wishes { size, aspect, text, hidden, reading, legend, curve } = *wishes;
+        let Wishes { size, aspect, text, hidden, reading, code, legend, curve, stop } = *wishes;
         let (width, height) = (size.width() as f32, size.height() as f32);
         let window = Area::new(0.0, 0.0, width, height);
         // In a window that is higher than wide the width decides.
         let em = TEXT * height.min(0.75 * width) * text;
+        let stop = (stop && em >= LEAST_TEXT).then(|| (STOP * em).min(0.4 * height).round());
+        let (window, lower) = split(window, height - stop.unwrap_or_default());
+        let (height, stop) = (window.height, stop.map(|_| lower));
         let high = |is_shown: bool, ems: f32, most: f32| match is_shown {
             true => (ems * em).min(most * height),
             false => 0.0,
@@ -95,7 +112,7 @@ impl Layout {
             let (upper, lower) = split(under, legend);
             let upper = Area { left: 0.0, width: room, ..upper };
             let shown = |area: Area| (area.height > 0.0).then_some(area);
-            Self { em, picture, legend: shown(upper), curve: shown(lower), beside }
+            Self { em, picture, legend: shown(upper), curve: shown(lower), beside, stop }
         };
         if hidden || em < LEAST_TEXT {
             let picture = fit(Area { height: height - under, ..window }, aspect);
@@ -112,8 +129,13 @@ impl Layout {
             let beside = Beside { caption, controls, reading: reading.then_some(upper) };
             return with(picture, width, Some(beside));
         }
-        let column = (COLUMN * em).min(0.5 * width).floor();
-        let most = (height - 3.5 * row - under).max(0.3 * height);
+        let column = match code {
+            true => (CODE_COLUMN * width).floor(),
+            false => (COLUMN * em).min(0.5 * width).floor(),
+        };
+        // At a stop that says what happens, below all of it.
+        let rows = if stop.is_some() { 1.7 } else { 3.5 };
+        let most = (height - rows * row - under).max(0.3 * height);
         let outer = Area::new(0.0, 0.0, width - column, most);
         let picture = fit(outer, aspect);
         let column = Area::new(outer.width, 0.0, column, height);

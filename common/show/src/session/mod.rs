@@ -1,5 +1,6 @@
 //! A desk in a window: where things are on it, and what hands do there.
 
+mod code_row;
 mod explained;
 mod hands;
 mod layout;
@@ -7,6 +8,7 @@ mod paint;
 mod panel;
 mod row;
 mod rows;
+mod stop;
 mod written;
 
 use std::mem;
@@ -50,6 +52,8 @@ pub enum Event {
     FocusLost,
     /// Something to be said in the window, such as what became of a file.
     Say(String),
+    /// The pictures are this part of their way on, 0 to 1.
+    Glide(f32),
     /// Something that stays said as long as this program runs, or until something else does.
     Notice(String),
     /// What is shown panics: how. The pin goes, since what panics may be its explanation.
@@ -103,6 +107,8 @@ impl Session {
             effects: Vec::new(),
         };
         session.select_first();
+        session.unfold();
+        session.scroll_reading();
         session
     }
 
@@ -176,6 +182,7 @@ impl Session {
                 self.act(Act::Hold(false));
             }
             Event::Say(words) => self.say(words),
+            Event::Glide(part) => self.act(Act::Glide(part)),
             Event::Notice(words) => self.notice = Some(words),
             Event::Failed(words) => {
                 self.act(Act::Unpin);
@@ -215,17 +222,17 @@ impl Session {
     }
 
     fn key(&mut self, key: Key, shift: bool) {
-        match does(key) {
+        match self.desk.does(key) {
             Some(Does::Act(act)) => self.do_act(act),
             Some(Does::While(begin, _)) => self.act(begin),
             Some(Does::Shell(hand)) => self.do_by_hand(hand, if shift { 0.1 } else { 1.0 }),
-            None => {}
+            None => self.say(text!("this key does nothing here; F1 lists all keys").to_owned()),
         }
     }
 
     /// Does something on the desk, with what follows from it here.
-    fn do_act(&mut self, act: Act) {
-        let (step, reading) = (self.desk.step(), self.desk.reading());
+    pub(super) fn do_act(&mut self, act: Act) {
+        let (shown, reading) = (self.shown(), self.desk.reading());
         let what_ifs = self.desk.what_ifs().len();
         self.act(act);
         if self.desk.what_ifs().len() > what_ifs {
@@ -236,15 +243,22 @@ impl Session {
         if let (Some(panel), Some(line)) = (self.reading_panel(), self.desk.line()) {
             self.reading_scroll = panel.scroll_to(&Target::Line(line.clone()));
         }
-        if step != self.desk.step() {
-            let shown = self.targets();
-            if self.selected.as_ref().is_none_or(|selected| !shown.contains(selected)) {
-                self.select_first();
-            }
+        if shown != self.shown() && self.desk.stop().is_some() {
+            self.unfold();
         }
-        if step != self.desk.step() || reading != self.desk.reading() {
+        self.keep_selection();
+        if self.desk.reading() == Reading::Stops
+            && let Some(panel) = self.reading_panel()
+        {
+            self.reading_scroll = panel.scroll_to(&Target::Listed(self.desk.picked()));
+        } else if shown != self.shown() || reading != self.desk.reading() {
             self.scroll_reading();
         }
+    }
+
+    /// Which program is shown, and at which stop.
+    fn shown(&self) -> (&'static str, Option<usize>) {
+        (self.desk.program().name, self.desk.stop().map(|(number, _)| number))
     }
 
     fn do_by_hand(&mut self, hand: Hand, nudge: f32) {
@@ -256,6 +270,7 @@ impl Session {
             Hand::Reset => {
                 if let Some(Target::Control(name)) = self.selected.clone() {
                     self.act(Act::Reset(name));
+                    self.keep_selection();
                 }
             }
             Hand::Pin => match self.layout().picture.contains(self.pointer) {
@@ -295,6 +310,14 @@ impl Session {
     fn targets(&self) -> Vec<Target> {
         let rows = self.control_rows();
         rows.iter().map(Row::target).filter(|target| *target != Target::Nothing).collect()
+    }
+
+    /// Selects the first control where what is selected is no more.
+    fn keep_selection(&mut self) {
+        let shown = self.targets();
+        if self.selected.as_ref().is_none_or(|selected| !shown.contains(selected)) {
+            self.select_first();
+        }
     }
 
     fn select_first(&mut self) {
@@ -342,9 +365,14 @@ impl Session {
         }
     }
 
-    /// Begins what is read at its top, or, where that is farther down, at what this step tells anew.
+    /// Begins what is read at its top, or, where that is farther down, at what this step tells anew; code
+    /// at that of the stop's slide.
     fn scroll_reading(&mut self) {
-        self.reading_scroll = self.reading_panel().map_or(0.0, |panel| panel.scroll_to_new());
+        let slide = self.desk.stop().map(|(_, stop)| &*stop.slide);
+        self.reading_scroll = self.reading_panel().map_or(0.0, |panel| {
+            let of_slide = slide.and_then(|slide| panel.scroll_to_slide(slide));
+            of_slide.unwrap_or_else(|| panel.scroll_to_new())
+        });
     }
 
     fn has_reading(&self) -> bool {
@@ -357,9 +385,11 @@ impl Session {
             aspect: self.desk.picture_size().aspect(),
             text: self.text,
             hidden: self.desk.alone(),
-            reading: self.has_reading(),
+            reading: self.has_reading() || !self.desk.program().handout.is_empty(),
+            code: self.desk.reading() == Reading::Code,
             legend: self.desk.shown_line().is_some(),
             curve: self.desk.has_curve(),
+            stop: self.desk.stop().is_some(),
         })
     }
 }

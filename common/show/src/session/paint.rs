@@ -7,7 +7,9 @@ use super::layout::Layout;
 use super::row::ACCENT;
 use super::row::ALTERED;
 use super::row::BACKGROUND;
+use super::row::CHOSEN;
 use super::row::FAINT;
+use super::row::MARGIN;
 use super::row::TEXT;
 use super::row::Target;
 use super::row::draw_text;
@@ -17,7 +19,10 @@ use crate::Canvas;
 use crate::Compare;
 use crate::Font;
 use crate::Ink;
+use crate::LESS;
+use crate::MORE;
 use crate::Program;
+use crate::Reading;
 use crate::count_off;
 use crate::over::draw_marks;
 use crate::text;
@@ -30,9 +35,14 @@ impl Session {
         self.desk.language().speak();
         let layout = self.layout();
         let mut canvas = Canvas::new(window);
+        if self.desk.is_blank() {
+            return canvas.fill(canvas.area(), Ink::BLACK);
+        }
         canvas.fill(canvas.area(), BACKGROUND);
         let differing = self.paint_pictures(&mut canvas, &layout, pictures);
-        self.paint_marks(&mut canvas, layout.picture, layout.em.clamp(11.0, 40.0));
+        if !self.desk.is_gliding() {
+            self.paint_marks(&mut canvas, layout.picture, layout.em.max(11.0));
+        }
         if let (Some(area), Some(legend)) = (layout.legend, self.desk.legend()) {
             legend.draw(&mut canvas, area.inset(0.4 * layout.em), 0.9 * layout.em);
         }
@@ -47,22 +57,35 @@ impl Session {
         let altered = self.desk.altered();
         match layout.beside {
             Some(beside) => {
+                if let Some((law, area)) = self.law() {
+                    canvas.fill(area, CHOSEN);
+                    let at = area.inset(MARGIN * layout.em);
+                    law.draw(&mut canvas, (at.left, at.top + law.above), TEXT, false);
+                }
                 if let Some(panel) = self.reading_panel() {
-                    let chosen = self.desk.line().map(|line| Target::Line(line.clone()));
+                    let chosen = match self.desk.reading() {
+                        Reading::Stops => Some(Target::Listed(self.desk.picked())),
+                        _ => self.desk.line().map(|line| Target::Line(line.clone())),
+                    };
                     panel.draw(&mut canvas, chosen.as_ref());
                 }
                 if let Some(panel) = self.controls() {
                     panel.draw(&mut canvas, self.selected.as_ref());
                 }
-                let said = [altered.as_deref(), said.as_deref()];
+                let here = said.as_deref().filter(|_| layout.stop.is_none());
+                let said = [altered.as_deref(), here];
                 self.paint_caption(&mut canvas, &layout, beside.caption, said, status);
             }
             None => {
-                let said: Vec<String> = altered.into_iter().chain(said).collect();
-                if !said.is_empty() {
+                let said: Vec<String> = altered.clone().into_iter().chain(said.clone()).collect();
+                if !said.is_empty() && layout.stop.is_none() {
                     paint_over(&mut canvas, layout.em, &said.join("   "), TEXT);
                 }
             }
+        }
+        if let Some(area) = layout.stop {
+            let said = said.or(altered.filter(|_| layout.beside.is_none()));
+            self.paint_stop(&mut canvas, area, layout.em, said.as_deref());
         }
         if let Some(notice) = &self.notice {
             paint_over(&mut canvas.clipped(layout.picture), layout.em, notice, ALTERED);
@@ -90,7 +113,10 @@ impl Session {
                 canvas.clipped(area).fill(line, ACCENT);
                 None
             }
-            Compare::Difference => Some((count_off(before, this, 0), this.pixels().len())),
+            Compare::Difference => {
+                paint_signs(&mut canvas.clipped(area), layout.em);
+                Some((count_off(before, this, 0), this.pixels().len()))
+            }
         }
     }
 
@@ -116,18 +142,13 @@ impl Session {
         let below = Area { height: canvas.area().height - area.top, ..area };
         let mut canvas = canvas.clipped(below);
         let area = area.inset(0.4 * em);
-        let Program { name, slides, .. } = self.desk.program();
-        let (concept, _) = self.desk.program().told();
+        let program = self.desk.in_sight().0;
+        let (Program { name, slides, .. }, (concept, _)) = (program, program.told());
+        let headline = if slides.is_empty() { concept } else { slides };
         if area.height < 5.0 * row {
-            let whole = format!("{name}   {concept}");
-            // What comes after the colon says it more precisely.
-            let title = match concept.split_once(':') {
-                Some((short, _)) if Font::width(em, &whole) > area.width => {
-                    format!("{name}   {short}")
-                }
-                _ => whole,
-            };
-            let (text, ink) = said.map_or((status, FAINT), |said| (said, TEXT));
+            let made = format!("{name}   {status}");
+            let made = if area.height < 2.0 * row { "" } else { &*made };
+            let (text, ink) = said.map_or((made, FAINT), |said| (said, TEXT));
             let lines = Font::wrap(em, text, area.width).len();
             let height = row * lines as f32;
             let below = Area { top: area.top + row, height, ..area };
@@ -135,21 +156,18 @@ impl Session {
             canvas.fill(below.inset(-0.4 * em), BACKGROUND);
             draw_text(&mut canvas, below, em, ink, text);
             let at = area.at(Anchor::TopLeft);
-            let (title, ink) = match altered {
-                Some(altered) => (format!("{name}   {altered}"), ALTERED),
-                None => (title, TEXT),
-            };
-            canvas.text_within(at, Anchor::TopLeft, em, ink, &title, area.width);
-            canvas.text_within(at, Anchor::TopLeft, em, ACCENT, name, area.width);
+            let (title, ink) = altered.map_or((headline, ACCENT), |altered| (altered, ALTERED));
+            canvas.text_within(at, Anchor::TopLeft, em, ink, title, area.width);
             return;
         }
-        let mut top = draw_text(&mut canvas, area, 1.2 * em, ACCENT, name) + 0.2 * em;
+        let mut top = draw_text(&mut canvas, area, 1.2 * em, ACCENT, headline) + 0.2 * em;
         let hint = text!("click a pixel to see its equations · F1 all keys");
         let (last, last_ink) = said.map_or((hint, FAINT), |said| (said, TEXT));
         let high = |text: &str| row * Font::wrap(em, text, area.width).len() as f32;
         let rest = 0.5 * em + high(last);
         let altered = altered.unwrap_or_default();
-        for (text, ink) in [(altered, ALTERED), (concept, TEXT), (*slides, FAINT)] {
+        let concept = if slides.is_empty() { "" } else { concept };
+        for (text, ink) in [(altered, ALTERED), (concept, TEXT), (name, FAINT)] {
             // What is answered otherwise is said in any case, and the rest as far as there is room.
             let fits = top + high(text) + rest <= area.bottom() || text == altered;
             if !text.is_empty() && fits {
@@ -162,6 +180,20 @@ impl Session {
             let at = area.at(Anchor::BottomLeft);
             canvas.text_within(at, Anchor::BottomLeft, em, FAINT, status, area.width);
         }
+    }
+}
+
+/// What the colours of a difference stand for, in the picture's upper left corner.
+fn paint_signs(canvas: &mut Canvas<'_>, em: f32) {
+    let area = canvas.clip();
+    let (mut left, middle) = (area.left + 0.5 * em, area.top + em);
+    for ([r, g, b], text) in [(MORE, text!("more light")), (LESS, text!("less light"))] {
+        let width = 1.6 * em + Font::width(em, text);
+        canvas.fill(Area::new(left, middle - 0.6 * em, width, 1.2 * em), BACKGROUND);
+        let swatch = Area::new(left + 0.25 * em, middle - 0.4 * em, 0.8 * em, 0.8 * em);
+        canvas.fill(swatch, Ink::new(r, g, b));
+        canvas.text((left + 1.3 * em, middle), Anchor::Left, em, TEXT, text);
+        left += width;
     }
 }
 

@@ -92,7 +92,7 @@ impl Panel {
 
     /// How far it has to be scrolled, in ems, for the row with this target to be seen.
     pub(super) fn scroll_to(&self, target: &Target) -> f32 {
-        let row = self.rows.iter().position(|row| row.target() == *target);
+        let row = self.rows.iter().position(|row| row.has(target));
         let Some(place) = row.map(|row| self.places[row]) else {
             return self.scroll();
         };
@@ -100,10 +100,29 @@ impl Panel {
         self.scroll.max(least).min(place.top) / self.em
     }
 
+    /// How far it has to be scrolled, in ems, for the code to begin that says it is this slide's; none
+    /// where no code does.
+    pub(super) fn scroll_to_slide(&self, slide: &str) -> Option<f32> {
+        let slide = format!("«{slide}");
+        let comment = |row: &Row| match row {
+            Row::Code(code) => code.line.text.trim().strip_prefix("///").map(str::to_owned),
+            _ => None,
+        };
+        // A title may go on in the next line.
+        let comments: Vec<Option<String>> = self.rows.iter().map(comment).collect();
+        let names = |pair: &[Option<String>]| {
+            let whole: String = pair.iter().flatten().map(String::as_str).collect();
+            pair[0].is_some() && whole.contains(&slide)
+        };
+        let named = comments.windows(2).position(names)?;
+        let first = comments[..named].iter().rposition(Option::is_none).map_or(0, |row| row + 1);
+        Some(self.places[first].top / self.em)
+    }
+
     /// How far it has to be scrolled, in ems, for something new to be seen: not at all where there
     /// is none, or where some can be seen as it is.
     pub(super) fn scroll_to_new(&self) -> f32 {
-        let rows = self.places.iter().zip(&self.rows).filter(|(_, row)| row.is_new());
+        let rows = self.places.iter().zip(&self.rows).filter(|(_, row)| row.is_first_new());
         let mut new = rows.map(|(place, _)| place);
         let height = self.inner().height;
         match new.next() {
@@ -121,6 +140,20 @@ impl Panel {
         Area { left: inner.left + place.left, top, ..place }
     }
 
+    /// The rows that can be seen.
+    pub(super) fn seen(&self) -> impl Iterator<Item = &Row> {
+        (0..self.rows.len()).filter(|row| self.is_seen(*row)).map(|row| &self.rows[row])
+    }
+
+    /// Whether all of a row can be seen, or it is higher than that.
+    fn is_seen(&self, row: usize) -> bool {
+        let (area, half) = (self.row_area(row), 0.5 * MARGIN * self.em);
+        let is_whole =
+            area.top >= self.area.top && area.bottom() <= self.area.bottom() - half + 1.0;
+        let is_high = area.height > self.inner().height;
+        is_whole || is_high && area.bottom() > self.area.top && area.top < self.area.bottom()
+    }
+
     /// The target of the row at `at`, and whether it is on the row's slider.
     pub(super) fn target(&self, at: (f32, f32)) -> Option<(Target, bool)> {
         if !self.area.contains(at) {
@@ -131,7 +164,8 @@ impl Panel {
             let margin = MARGIN * self.em;
             Area { left: area.left - margin, width: area.width + 2.0 * margin, ..area }
         };
-        let row = (0..self.rows.len()).find(|row| around(self.row_area(*row)).contains(at));
+        let mut seen = (0..self.rows.len()).filter(|row| self.is_seen(*row));
+        let row = seen.find(|row| around(self.row_area(*row)).contains(at));
         Some(row.map_or((Target::Nothing, false), |row| {
             let slider = self.slider(row);
             // A little beyond its ends too, which are hard to hit.
@@ -157,10 +191,10 @@ impl Panel {
         let mut canvas = canvas.clipped(self.area);
         for row in 0..self.rows.len() {
             let area = self.row_area(row);
-            if area.bottom() < self.area.top || area.top > self.area.bottom() {
+            if !self.is_seen(row) {
                 continue;
             }
-            let chosen = selected.is_some_and(|selected| *selected == self.rows[row].target());
+            let chosen = selected.is_some_and(|selected| self.rows[row].has(selected));
             let marks = [(self.rows[row].is_new(), NEW, ADDED), (chosen, CHOSEN, ACCENT)];
             for (_, behind, beside) in marks.into_iter().filter(|(marked, ..)| *marked) {
                 let margin = MARGIN * self.em;

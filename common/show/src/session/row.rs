@@ -1,11 +1,16 @@
 //! A row of a panel: how high it is, and how it is drawn.
 
+use super::code_row::CodeRow;
 use crate::Anchor;
 use crate::Area;
+use crate::Boxed;
 use crate::Canvas;
 use crate::Font;
 use crate::Ink;
+use crate::Letters;
+use crate::Math;
 use crate::Setting;
+use crate::plain;
 use common::LineName;
 
 /// Behind all that is beside the picture.
@@ -18,6 +23,8 @@ pub(super) const ACCENT: Ink = Ink::new(255, 208, 64);
 pub(super) const ALTERED: Ink = Ink::new(255, 150, 70);
 /// What a step adds: to its code, and to what is told of a pixel.
 pub(super) const ADDED: Ink = Ink::new(150, 225, 150);
+/// What it takes away.
+pub(super) const REMOVED: Ink = Ink::new(255, 160, 150);
 pub(super) const NEW: Ink = Ink::new(30, 50, 42);
 pub(super) const CHOSEN: Ink = Ink::new(43, 49, 61);
 pub(super) const GROOVE: Ink = Ink::new(66, 74, 90);
@@ -28,9 +35,12 @@ pub(super) const LINE: f32 = 1.2;
 pub(super) const HIGH: f32 = 1.5;
 pub(super) const MARGIN: f32 = 0.6;
 pub(super) const INDENT: f32 = 0.95;
-pub(super) const NUMBER: f32 = 5.0;
-pub(super) const SIGN: f32 = 0.3;
+pub(super) const NUMBER: f32 = 4.4;
+/// How much of a number's column is behind its point.
+pub(super) const DECIMALS: f32 = 2.9;
 pub(super) const NAME: f32 = 6.6;
+/// How much smaller an equation may be to stand beside its values.
+const SMALLER: f32 = 0.7;
 /// From this width on controls stand two in a row.
 pub(super) const TWO: f32 = 24.0;
 /// Between the two.
@@ -43,8 +53,14 @@ pub(super) enum Fold {
     Controls(&'static str),
     /// A part of the algorithm in an explanation.
     Section(&'static str),
+    /// The lines of a group that the step before tells too.
+    Old(&'static str, usize),
+    /// What is missed in it.
+    Missed(&'static str),
     /// What is told of one thing within it, counted from 0: several may have the same name.
     Scope(&'static str, usize),
+    /// The rest of a file's code.
+    File(&'static str),
 }
 
 /// What a row acts on.
@@ -54,21 +70,24 @@ pub(super) enum Target {
     Control(String),
     Fold(Fold),
     Line(LineName),
+    /// A place in the list of stops and figures.
+    Listed(usize),
 }
 
 /// A row of a panel.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(super) enum Row {
     /// What stands over rows that can be folded; new if there is something new below it.
-    Heading { fold: Fold, text: &'static str, value: String, open: bool, faint: bool, new: bool },
+    Heading { fold: Fold, text: String, value: Option<Math>, open: bool, new: bool },
     /// A control with its slider.
     Control(Setting),
     /// An equation and its numbers, or words; new if the step before does not tell it, and altered if
     /// it is answered otherwise. It has a name if it can be shown as a picture.
     Line {
-        equation: &'static str,
+        equation: Math,
         name: Option<LineName>,
-        ink: Ink,
+        /// Of all of it, where that is not each symbol's own.
+        ink: Option<Ink>,
         values: Vec<String>,
         new: bool,
         altered: bool,
@@ -77,6 +96,12 @@ pub(super) enum Row {
     Pixel { text: String, rgb: [u8; 3] },
     /// A key and what it does.
     Key(&'static str, &'static str),
+    /// What can be gone to, and its place in the list.
+    Listed(String, usize),
+    /// A line of code.
+    Code(CodeRow),
+    /// An equation that stands alone.
+    Equation(Math),
     /// A paragraph, indented as far as it begins with spaces, behind its `+` or `-` too.
     Text(String, Ink),
 }
@@ -88,12 +113,31 @@ impl Row {
             Self::Heading { fold, .. } => Target::Fold(*fold),
             Self::Control(setting) => Target::Control(setting.name.clone()),
             Self::Line { name: Some(name), .. } => Target::Line(name.clone()),
+            Self::Listed(_, place) => Target::Listed(*place),
+            Self::Code(code) => code.name().cloned().map_or(Target::Nothing, Target::Line),
             _ => Target::Nothing,
         }
     }
 
+    /// Whether it acts on `target`, or is code that does.
+    pub(super) fn has(&self, target: &Target) -> bool {
+        match (self, target) {
+            (Self::Code(code), Target::Line(line)) => code.tells(line),
+            _ => self.target() == *target,
+        }
+    }
+
     pub(super) fn is_new(&self) -> bool {
-        matches!(self, Self::Heading { new: true, .. } | Self::Line { new: true, .. })
+        match self {
+            Self::Heading { new, .. } | Self::Line { new, .. } => *new,
+            Self::Code(code) => code.is_new(),
+            _ => false,
+        }
+    }
+
+    /// Whether it is new, and to be read first.
+    pub(super) fn is_first_new(&self) -> bool {
+        self.is_new() && !matches!(self, Self::Heading { fold: Fold::File(_), .. })
     }
 
     /// Whether two of them may share a row.
@@ -109,15 +153,21 @@ impl Row {
     pub(super) fn height(&self, em: f32, width: f32) -> f32 {
         let lines = |count: usize| LINE * em * count as f32;
         match self {
-            Self::Heading { fold: Fold::Scope(..), .. } => 1.35 * em,
-            Self::Heading { .. } | Self::Control(_) | Self::Pixel { .. } => HIGH * em,
+            Self::Heading {
+                fold: Fold::Section(_) | Fold::Controls(_) | Fold::File(_), ..
+            } => HIGH * em,
+            Self::Heading { .. } => 1.35 * em,
+            Self::Code(code) => code.height(em, width),
+            Self::Control(_) | Self::Pixel { .. } => HIGH * em,
             Self::Line { equation, values, .. } => {
-                lines(Columns::new(equation, values, em, width).count()) + 0.15 * em
+                Columns::new(equation, values, em, width).height(em)
             }
+            Self::Equation(math) => Boxed::display(math, em, width).height() + 0.5 * em,
             Self::Key(key, effect) => {
                 let effect = Font::wrap(em, effect, width - INDENT * em).len();
                 lines(Font::wrap(em, key, width).len() + effect) + 0.2 * em
             }
+            Self::Listed(text, _) => lines(Font::wrap(em, text, width).len()) + 0.3 * em,
             Self::Text(text, _) => {
                 let (_, indent, text) = indented(text, em);
                 lines(Font::wrap(em, text, width - indent).len())
@@ -130,25 +180,29 @@ impl Row {
         let middle = area.at(Anchor::Left);
         let right = area.at(Anchor::Right);
         match self {
-            Self::Heading { fold, text, value, open, faint, .. } => {
-                let ink = match (fold, faint) {
-                    (_, true) => FAINT,
-                    (Fold::Scope(..), false) => TEXT,
-                    _ => ACCENT,
+            Self::Heading { fold, text, value, open, .. } => {
+                let ink = match fold {
+                    Fold::Section(_) | Fold::Controls(_) => ACCENT,
+                    Fold::Scope(..) => TEXT,
+                    Fold::Old(..) | Fold::Missed(_) | Fold::File(_) => FAINT,
                 };
                 draw_fold(canvas, (area.left + 0.3 * em, middle.1), 0.28 * em, *open, ink);
-                let value_width = Font::width(em, value);
                 let width = area.width - INDENT * em;
                 let at = (area.left + INDENT * em, middle.1);
-                let rest = (width - value_width - 0.4 * em).max(0.4 * width);
-                canvas.text_within(at, Anchor::Left, em, ink, text, rest);
-                let rest = width - rest.min(Font::width(em, text)) - 0.4 * em;
-                canvas.text_within(right, Anchor::Right, em, FAINT, value, rest);
+                canvas.text_within(at, Anchor::Left, em, ink, text, width);
+                if let Some(value) = value {
+                    let rest = width - Font::width(em, text) - 0.5 * em;
+                    let set = Boxed::within(value, 0.9 * em, rest.max(em));
+                    set.draw(canvas, (right.0 - set.width, middle.1 + 0.3 * em), TEXT, false);
+                }
             }
             Self::Control(setting) => {
                 let slider = slider(area, em);
                 let name = slider.left - area.left - 0.5 * em;
-                canvas.text_within(middle, Anchor::Left, em, TEXT, &setting.control.name, name);
+                let kind =
+                    if setting.control.axis.is_some() { Letters::Vector } else { Letters::Scalar };
+                let symbol = Boxed::within(&plain(&setting.control.name, kind), em, name);
+                symbol.draw(canvas, (middle.0, middle.1 + 0.3 * em), TEXT, true);
                 let ink = if setting.changed { ACCENT } else { TEXT };
                 let value = area.right() - slider.right() - 0.5 * em;
                 canvas.text_within(right, Anchor::Right, em, ink, &setting.control.text(), value);
@@ -160,6 +214,10 @@ impl Row {
             }
             Self::Line { equation, ink, values, altered, .. } => {
                 draw_line(canvas, area, em, (equation, *ink), (values, *altered));
+            }
+            Self::Equation(math) => {
+                let set = Boxed::display(math, em, area.width);
+                set.draw(canvas, (area.left, area.top + 0.25 * em + set.above), TEXT, false);
             }
             Self::Pixel { text, rgb } => {
                 let [r, g, b] = *rgb;
@@ -176,6 +234,10 @@ impl Row {
                 let inset = Area { width: area.width - INDENT * em, ..inset };
                 draw_text(canvas, inset, em, TEXT, effect);
             }
+            Self::Listed(text, _) => {
+                draw_text(canvas, Area { top: area.top + 0.15 * em, ..area }, em, TEXT, text);
+            }
+            Self::Code(code) => code.draw(canvas, area, em),
             Self::Text(text, ink) => {
                 let (sign, indent, text) = indented(text, em);
                 canvas.text(area.at(Anchor::TopLeft), Anchor::TopLeft, em, *ink, sign);
@@ -194,9 +256,9 @@ pub(super) fn slider(area: Area, em: f32) -> Area {
     Area::new(area.left + text, area.top + (area.height - height) / 2.0, width, height)
 }
 
-/// How an equation and its values stand: tabular columns from the right.
+/// How an equation and its values stand: columns from the right, in each the points below each other.
 struct Columns {
-    equation: Vec<String>,
+    equation: Boxed,
     /// How many values a row has, and how wide each is.
     per_row: usize,
     width: f32,
@@ -206,7 +268,7 @@ struct Columns {
 }
 
 impl Columns {
-    fn new(equation: &str, values: &[String], em: f32, width: f32) -> Self {
+    fn new(equation: &Math, values: &[String], em: f32, width: f32) -> Self {
         // Only what has a power of ten is wider than usual; a number alone may reach into the margin.
         let widest = values.iter().map(|value| Font::width(em, value)).fold(0.0, f32::max);
         let usual = NUMBER * em + if values.len() == 1 { 0.8 * MARGIN * em } else { 0.0 };
@@ -214,13 +276,26 @@ impl Columns {
         let per_row = ((width / value_width) as usize).clamp(1, 3);
         let rows = values.len().div_ceil(per_row);
         let taken = values.len().min(per_row) as f32 * value_width;
-        let beside = Font::width(em, equation) + 0.1 * em <= width - taken;
-        let equation = Font::wrap(em, equation, width);
+        let mut set = Boxed::within(equation, em, width);
+        // A little smaller is better than a line more.
+        let room = width - taken - 0.1 * em;
+        let beside = rows > 0 && SMALLER * set.width <= room;
+        if beside && set.width > room {
+            set = Boxed::within(equation, em, room);
+        }
+        let equation = set;
         Self { equation, per_row, width: value_width, rows, beside }
     }
 
-    fn count(&self) -> usize {
-        self.equation.len() + self.rows - usize::from(self.beside && self.rows > 0)
+    /// How far the baseline of the equation, and of the values beside it, is below the row's upper edge.
+    fn baseline(&self, em: f32) -> f32 {
+        (0.93 * em).max(self.equation.above + 0.1 * em)
+    }
+
+    fn height(&self, em: f32) -> f32 {
+        let below = self.rows - usize::from(self.beside);
+        let first = self.baseline(em) + (0.42 * em).max(self.equation.below + 0.1 * em);
+        first + LINE * em * below as f32
     }
 }
 
@@ -252,38 +327,34 @@ pub(super) fn draw_text(canvas: &mut Canvas<'_>, area: Area, em: f32, ink: Ink, 
 }
 
 fn draw_line(
-    canvas: &mut Canvas<'_>, area: Area, em: f32, (equation, ink): (&str, Ink),
+    canvas: &mut Canvas<'_>, area: Area, em: f32, (equation, ink): (&Math, Option<Ink>),
     (values, altered): (&[String], bool),
 ) {
     let number_ink = if altered { ALTERED } else { TEXT };
     let columns = Columns::new(equation, values, em, area.width);
-    let mut top = draw_text(canvas, area, em, ink, equation);
-    if columns.beside {
-        top -= LINE * em;
+    let mut baseline = area.top + columns.baseline(em);
+    let set = &columns.equation;
+    set.draw(canvas, (area.left, baseline), ink.unwrap_or(TEXT), ink.is_some());
+    if !columns.beside {
+        baseline += (0.42 * em).max(set.below + 0.1 * em) + 0.78 * em;
     }
     for row in values.chunks(columns.per_row) {
         for (from_right, value) in row.iter().rev().enumerate() {
             let right = area.right() - from_right as f32 * columns.width;
-            match value.strip_prefix(['-', ' ']) {
-                Some(number) => {
-                    // What is too long for its column begins earlier.
-                    let left = (right - columns.width + 1.3 * SIGN * em)
-                        .min(right - Font::width(em, number));
-                    canvas.text((left, top), Anchor::TopLeft, em, number_ink, number);
-                    if value.starts_with('-') {
-                        let sign = (left, top + 0.66 * em);
-                        canvas.fill(
-                            Area::anchored(sign, Anchor::Right, SIGN * em, (0.08 * em).max(1.0)),
-                            number_ink,
-                        );
-                    }
+            let is_number =
+                value.starts_with(['−', '-', ' ']) || value.starts_with(char::is_numeric);
+            let (before, after) = value.split_at(value.find(['.', 'e']).unwrap_or(value.len()));
+            let left = match is_number {
+                // What is too long for its column begins earlier.
+                true => {
+                    (right - DECIMALS * em).min(right - Font::width(em, after))
+                        - Font::width(em, before)
                 }
-                None => {
-                    let at = (right, top);
-                    canvas.text_within(at, Anchor::TopRight, em, number_ink, value, area.width);
-                }
-            }
+                false => right - Font::width(em, value),
+            };
+            let at = (left.max(area.left), baseline - 0.93 * em);
+            canvas.text(at, Anchor::TopLeft, em, number_ink, value);
         }
-        top += LINE * em;
+        baseline += LINE * em;
     }
 }

@@ -1,22 +1,39 @@
 //! The rows of the panels beside the picture.
 
 use super::Session;
+use super::code_row::CodeRow;
+use super::code_row::Note;
 use super::explained::Told;
+use super::layout::Layout;
+use super::layout::split;
 use super::panel::Panel;
-use super::row::ACCENT;
-use super::row::ADDED;
 use super::row::FAINT;
 use super::row::Fold;
+use super::row::MARGIN;
 use super::row::Row;
 use super::row::TEXT;
+use crate::Area;
+use crate::Boxed;
+use crate::Change;
+use crate::CodeLine;
+use crate::CodePart;
 use crate::Group;
-use crate::Ink;
+use crate::Letters;
+use crate::Math;
 use crate::Reading;
+use crate::code::file_name;
 use crate::desk::table;
+use crate::latex;
+use crate::plain;
+use crate::rounded;
+use crate::text;
 use crate::translated;
+use crate::typeset;
+use common::Line;
+use common::LineName;
 
-/// What a diff takes away.
-const REMOVED: Ink = Ink::new(255, 160, 150);
+/// How much of what is read of a pixel its law may be.
+const LAW: f32 = 0.45;
 
 impl Session {
     /// The controls; none while the picture is alone.
@@ -29,8 +46,26 @@ impl Session {
 
     pub(super) fn reading_panel(&self) -> Option<Panel> {
         let layout = self.layout();
-        let area = layout.beside?.reading?;
-        Some(Panel::new(area, layout.em, self.reading_rows(), self.reading_scroll))
+        let mut area = layout.beside?.reading?;
+        if let Some((_, above)) = self.law() {
+            area = split(area, above.height).1;
+        }
+        let em = match self.desk.reading() {
+            Reading::Code => Layout::CODE * layout.em,
+            _ => layout.em,
+        };
+        Some(Panel::new(area, em, self.reading_rows(), self.reading_scroll))
+    }
+
+    /// The law with the pinned pixel's numbers, and where it stands: on top of what is read of the pixel.
+    pub(super) fn law(&self) -> Option<(Boxed, Area)> {
+        let layout = self.layout();
+        let area = layout.beside?.reading.filter(|_| self.desk.reading() == Reading::Pixel)?;
+        let margin = MARGIN * layout.em;
+        let room = (area.width - 2.0 * margin, LAW * area.height);
+        let law = self.desk.law().set(1.05 * layout.em, room.0, room.1);
+        let height = law.height() + if law.width > 0.0 { 1.2 * margin } else { 0.0 };
+        Some((law, Area { height, ..area }))
     }
 
     /// The controls in their groups.
@@ -40,8 +75,8 @@ impl Session {
             let fold = Fold::Controls(name);
             let open = name.is_empty() || self.is_open(fold, open);
             if !name.is_empty() {
-                let (text, value) = (translated(name), String::new());
-                rows.push(Row::Heading { fold, text, value, open, faint: false, new: false });
+                let text = translated(name).to_owned();
+                rows.push(Row::Heading { fold, text, value: None, open, new: false });
             }
             if open {
                 rows.extend(settings.into_iter().map(Row::Control));
@@ -53,58 +88,120 @@ impl Session {
     /// What is to be read: the pinned pixel's explanation, or another text.
     pub(super) fn reading_rows(&self) -> Vec<Row> {
         match self.desk.reading() {
-            Reading::Pixel => self.desk.explanation().map_or(Vec::new(), |explanation| {
-                let before = self.desk.explanation_before();
-                Told {
-                    explanation: &explanation,
-                    before: before.as_ref(),
-                    shown: self.desk.shown_line(),
-                    what_ifs: self.desk.what_ifs(),
-                    folds: &self.folds,
-                }
-                .rows()
-            }),
+            Reading::Pixel => self.desk.explanation().map_or_else(
+                || self.unpinned(),
+                |explanation| {
+                    let before = self.desk.explanation_before();
+                    Told {
+                        explanation: &explanation,
+                        before: before.as_ref(),
+                        program: Some(self.desk.in_sight().0)
+                            .filter(|program| !program.handout.is_empty()),
+                        light: self.desk.setup().chosen("light"),
+                        line: self.desk.line(),
+                        shown: self.desk.shown_line(),
+                        what_ifs: self.desk.what_ifs(),
+                        folds: &self.folds,
+                    }
+                    .rows()
+                },
+            ),
             Reading::Keys => {
-                let several = self.desk.programs().len() > 1;
+                let several = self.desk.steps() > 1;
                 let rows = table().into_iter().filter(|row| several || !row.lecture);
                 rows.map(|row| row.listed()).map(|(keys, effect)| Row::Key(keys, effect)).collect()
             }
-            Reading::Diff => diff_rows(self.desk.program().diff),
+            Reading::Stops => {
+                let listed = self.desk.listed().into_iter().enumerate();
+                listed.map(|(place, text)| Row::Listed(text, place)).collect()
+            }
+            Reading::Code => self.code_rows(),
             Reading::Idea => {
                 let lines = self.desk.program().told().1.lines();
-                let ink = |line: &str| if line.starts_with(' ') { ACCENT } else { TEXT };
-                lines.map(|line| Row::Text(line.to_owned(), ink(line))).collect()
+                let row = |line: &str| match line.strip_prefix("  ") {
+                    Some(equation) => Row::Equation(latex(equation)),
+                    None => Row::Text(line.to_owned(), TEXT),
+                };
+                lines.map(row).collect()
             }
         }
     }
 }
 
-/// A diff as it is read: of what stands before a file's lines its name is enough, and what all
-/// lines in a place are indented by is left away.
-fn diff_rows(diff: &str) -> Vec<Row> {
-    let is_read = |line: &&str| !line.starts_with("diff ") && !line.starts_with("--- ");
-    let lines: Vec<&str> = diff.lines().filter(is_read).collect();
-    let is_code = |line: &str| line.starts_with(['+', '-', ' ']) && !line.starts_with("+++ ");
-    let mut rows = Vec::new();
-    for part in lines.chunk_by(|line, next| is_code(line) == is_code(next)) {
-        let inner = part.iter().filter_map(|line| line.get(1..)).filter(|line| !line.is_empty());
-        let spaces = inner.map(|line| line.len() - line.trim_start().len()).min().unwrap_or(0);
-        for line in part {
-            rows.push(match (line.strip_prefix("+++ b/"), line.split_at_checked(1)) {
-                (Some(file), _) => Row::Text(file.to_owned(), ACCENT),
-                (None, Some(("@", _))) => Row::Text("…".to_owned(), FAINT),
-                (None, Some((sign, code))) => {
-                    let ink = match sign {
-                        "+" => ADDED,
-                        "-" => REMOVED,
-                        _ => FAINT,
-                    };
-                    let code = code.get(spaces..).unwrap_or_default();
-                    Row::Text(format!("{sign}{code}"), ink)
+impl Session {
+    /// The step's code as it is read: what is the same as in the step before, and does not run, last.
+    fn code_rows(&self) -> Vec<Row> {
+        let is_whole = self.desk.is_whole();
+        let (mut rows, mut rest) = (Vec::new(), Vec::new());
+        for CodePart { path, is_rest, lines } in self.desk.code() {
+            let count = lines.iter().filter(|line| line.change == Change::New).count();
+            let same = lines.iter().all(|line| line.change == Change::Same);
+            let file = if is_whole { path } else { file_name(path) };
+            let files = std::iter::once(Some(file)).chain(std::iter::repeat(None));
+            let lines = lines.into_iter().zip(files).map(|(line, file)| self.code_row(line, file));
+            match (is_rest, same) {
+                (true, true) => rest.extend(lines),
+                (true, false) => {
+                    let open = self.fold_file(&mut rows, file_name(path), count);
+                    rows.extend(lines.filter(|_| open));
                 }
-                (None, None) => Row::Text(String::new(), FAINT),
-            });
+                (false, _) => {
+                    rows.extend(lines);
+                    rows.push(Row::Text(String::new(), FAINT));
+                }
+            }
         }
+        if !rest.is_empty() && self.fold_file(&mut rows, text!("all the rest"), 0) {
+            rows.append(&mut rest);
+        }
+        rows
     }
-    rows
+
+    /// What is read of the pinned pixel without scrolling: what has numbers in the law, if all of that has
+    /// its place, then each row's equation, or its words with what they come to.
+    pub fn read_at_once(&self) -> Vec<String> {
+        let law = self.law().filter(|(law, area)| {
+            law.width <= area.width && law.height() <= area.height && self.desk.pin().is_some()
+        });
+        let law = law.map_or(Vec::new(), |_| self.desk.law().told());
+        let rows = self.reading_panel().map_or(Vec::new(), |panel| {
+            let read = |row: &Row| match row {
+                Row::Line { equation, .. } => Some(equation.key()),
+                Row::Heading { text, value, .. } => {
+                    Some(text.clone() + &value.as_ref().map_or(String::new(), Math::key))
+                }
+                _ => None,
+            };
+            panel.seen().filter_map(read).collect()
+        });
+        [law, rows].concat()
+    }
+
+    /// What stands where a pixel's explanation will.
+    fn unpinned(&self) -> Vec<Row> {
+        let program = self.desk.in_sight().0;
+        let hint = text!("click a pixel to see its equations · F1 all keys");
+        let said = [(program.told().0, TEXT), (hint, FAINT)];
+        said.into_iter().map(|(text, ink)| Row::Text(format!("{text}\n"), ink)).collect()
+    }
+
+    /// Adds the heading of code that is read last, with how many new lines it has; whether it is open.
+    fn fold_file(&self, rows: &mut Vec<Row>, name: &'static str, new: usize) -> bool {
+        let (fold, text) = (Fold::File(name), name.to_owned());
+        let value = (new > 0).then(|| plain(&format!("+{new}"), Letters::Scalar));
+        let open = self.is_open(fold, false);
+        rows.push(Row::Heading { fold, text, value, open, new: new > 0 });
+        open
+    }
+
+    fn code_row(&self, line: CodeLine, file: Option<&'static str>) -> Row {
+        let note = |(line, name): &(Line, Option<LineName>)| Note {
+            equation: typeset(line),
+            value: rounded(&line.value).join("  "),
+            altered: name.as_ref().is_some_and(|name| self.desk.is_altered(name)),
+            name: name.clone(),
+        };
+        let notes = line.told.iter().map(note).collect();
+        Row::Code(CodeRow { line, numbered: self.desk.is_whole(), file, notes })
+    }
 }

@@ -82,6 +82,9 @@ impl Session {
             let told = Told {
                 explanation: &told,
                 before: None,
+                program: None,
+                light: None,
+                line: None,
                 shown: None,
                 what_ifs: self.desk.what_ifs(),
                 folds: &folds,

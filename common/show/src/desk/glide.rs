@@ -1,0 +1,50 @@
+//! From what was shown to the next stop, of the same scene: the pictures on their way.
+
+use super::Compare;
+use super::Desk;
+use super::Effect;
+use super::Refusal;
+use crate::Setup;
+
+/// Where the pictures come from, and where they are.
+pub(super) struct Glide {
+    from: Setup,
+    pub(super) now: Setup,
+}
+
+impl Desk {
+    /// Has the pictures glide from `from`, if nothing jumps on the way: both are of the same program, seen
+    /// as it is, through its camera.
+    pub(super) fn glide_from(&mut self, from: Self) {
+        let is_still = |desk: &Self| {
+            let through = desk.onlooker.is_none() && !desk.program().is_figure;
+            through && desk.compare == Compare::Off && desk.is_plain()
+        };
+        let same = self.current == from.current && self.picture == from.picture;
+        let same = same && from.way.at.is_some();
+        if same && is_still(self) && is_still(&from) && from.setup.is_near(&self.setup) {
+            let now = from.setup.between(&self.setup, 0.0);
+            self.glide = Some(Glide { from: from.setup, now });
+            self.ask(Effect::Glide);
+        }
+    }
+
+    /// Whether the pictures are not yet those of the stop.
+    pub fn is_gliding(&self) -> bool {
+        self.glide.is_some()
+    }
+
+    /// Brings the pictures to this part of their way; at 1 they are there.
+    pub(super) fn glide(&mut self, part: f32) -> Result<(), Refusal> {
+        if let Some(Glide { from, .. }) = self.glide.take() {
+            if part < 1.0 {
+                // Slow at both ends.
+                let part = part.max(0.0);
+                let now = from.between(&self.setup, part * part * (3.0 - 2.0 * part));
+                self.glide = Some(Glide { from, now });
+            }
+            self.ask(Effect::Redraw);
+        }
+        Ok(())
+    }
+}
