@@ -276,3 +276,82 @@ fn the_code_that_is_shown_is_the_program() {
 
 const WIDTH: usize = 96;
 const HEIGHT: usize = 54;
+
+/// A window that shows the last step's code for a pixel of the red sphere.
+fn coded() -> Session {
+    let mut desk = Desk::new(lecture::programs(), 6);
+    act(&mut desk, Act::Speak(Language::ENGLISH));
+    act(&mut desk, Act::PinPixel(350, 200));
+    act(&mut desk, Act::Read(Reading::Code));
+    let mut session = Session::new(desk);
+    session.handle(Event::Resize(size(1280, 720)));
+    session
+}
+
+/// What is told beside a line of the code that is shown.
+fn beside(desk: &Desk, code: &str) -> Vec<Value> {
+    let parts = desk.code();
+    let line = lines(&parts).find(|line| line.text.contains(code));
+    line.expect("it runs").told.iter().map(|(told, _)| told.value).collect()
+}
+
+#[test]
+fn what_is_pointed_at_in_the_picture_is_chosen_in_the_code() {
+    let mut session = coded();
+    let picture = session.picture_area();
+    assert!(picture.width >= 0.4 * 1280.0, "the picture keeps its room: {picture:?}");
+    let mut chosen = BTreeSet::new();
+    for row in (0..picture.height as usize).step_by(6) {
+        for col in (0..picture.width as usize).step_by(6) {
+            session.handle(Event::Move(col as f32, row as f32));
+            if let Some(line) = session.desk().line() {
+                chosen.insert((line.equation.clone(), line.of.clone()));
+            }
+        }
+    }
+    for (equation, of) in [
+        ("l", "key light"),
+        ("l", "fill light"),
+        ("shadow ray's d", "key light"),
+        ("h = (v + l) / ‖v + l‖", "fill light"),
+    ] {
+        assert!(chosen.contains(&(equation.to_owned(), of.to_owned())), "{equation}: {chosen:?}");
+    }
+    // Its line of code is marked, and seen.
+    let bar = |image: &RgbImage| {
+        let at = |col: u32, row: u32| image.get_pixel(col, row).0 == [255, 208, 64];
+        (500..600).map(|col| (0..720).filter(|row| at(col, *row)).count()).max()
+    };
+    typed(&mut session, "J");
+    let mut image = RgbImage::new(1280, 720);
+    session.paint(&mut image, &[], "");
+    assert!(bar(&image) > Some(15), "{:?}", session.desk().line());
+}
+
+#[test]
+fn keys_go_through_the_code_to_the_next_light_and_to_the_letter() {
+    let mut session = coded();
+    let l = |session: &Session| beside(session.desk(), "let l = ");
+    let key_light = l(&session);
+    typed(&mut session, "N");
+    assert!(l(&session) != key_light, "the fill light is elsewhere");
+    typed(&mut session, "N");
+    assert_eq!(l(&session), key_light, "there are two");
+    // In the order of the code.
+    typed(&mut session, "J");
+    let first = session.desk().line().map(|line| line.equation.clone());
+    assert_eq!(first.as_deref(), Some("u = (col + ½) / width"));
+    typed(&mut session, "E");
+    let parts = session.desk().code();
+    let told = lines(&parts).find(|line| line.text.contains("say.line(\"n·l\", n.dot(l))"));
+    let number = source("step07_specular/src/material.rs");
+    let number = number.lines().position(|line| line.contains("say.line(\"n·l\""));
+    assert_eq!(told.map(|line| line.number - 1), number, "as an editor counts it");
+    // Without a pixel there is code, but no number.
+    typed(&mut session, "E");
+    let mut desk = Desk::new(lecture::programs(), 0);
+    act(&mut desk, Act::Read(Reading::Code));
+    let parts = desk.code();
+    assert!(lines(&parts).any(|line| line.text.contains("for row in image.rows() {")));
+    assert!(lines(&parts).all(|line| line.told.is_empty() && line.change == Change::Same));
+}

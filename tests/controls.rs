@@ -250,3 +250,30 @@ fn what_is_visited_is_changed_a_point_on_each_axis_and_brightness_keeps_the_hue(
     let others = [("n", Kind::Count(0..=9)), ("on", Kind::Switch)];
     assert_eq!(visitor.0, [[axis(0), axis(1), axis(2)].as_slice(), &others].concat());
 }
+
+#[test]
+fn numbers_are_taken_as_people_type_them_where_they_are_clear() {
+    let mut setup = setup(6);
+    let mut set = |text: &str| {
+        setup.set("center.x", text).ok()?;
+        let list = setup.list();
+        let name = |setting: &&Setting| setting.name == "red.center.x";
+        list.iter().find(name).map(|setting| setting.control.value)
+    };
+    for (text, number) in [
+        ("0,5", Some(0.5)),
+        ("−2", Some(-2.0)),
+        ("-0,25", Some(-0.25)),
+        ("2,0", Some(2.0)),
+        (" 1", Some(1.0)),
+        ("0,125", Some(0.125)),
+        // One, or a thousand.
+        ("1,000", None),
+        ("0,5,1", None),
+        ("1.0,5", None),
+        ("1 ,5", None),
+        (",", None),
+    ] {
+        assert_eq!(set(text), number, "{text}");
+    }
+}

@@ -2,6 +2,7 @@
 //! and controls, above it hands and keys, and beside it what is drawn.
 
 mod asking;
+mod at_once;
 mod canvas;
 mod controls;
 mod keys;

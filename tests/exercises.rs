@@ -12,9 +12,9 @@ use exercises::Milestone;
 use tests::prelude::*;
 
 /// The text of a file that is replaced, and by what.
-type Change = (String, String, String);
+pub(crate) type Change = (String, String, String);
 
-fn change(file: &str, from: &str, to: &str) -> Change {
+pub(crate) fn change(file: &str, from: &str, to: &str) -> Change {
     (file.to_owned(), from.to_owned(), to.to_owned())
 }
 
@@ -54,14 +54,15 @@ fn solutions() -> Vec<Solution> {
     blocks.map(solution).collect()
 }
 
-/// A copy of the workspace, with programs of its own.
-struct Copy {
+/// A copy of the steps, with programs of its own.
+pub(crate) struct Copy {
     root: PathBuf,
     /// The programs as they are before anything is changed.
     programs: PathBuf,
 }
 
-fn copy() -> MutexGuard<'static, Copy> {
+/// The one copy, for one test at a time.
+pub(crate) fn copy() -> MutexGuard<'static, Copy> {
     static COPY: LazyLock<Mutex<Copy>> = LazyLock::new(|| Mutex::new(Copy::new()));
     COPY.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -102,7 +103,7 @@ impl Copy {
 
     /// Puts the source of `step`, from 1 on, with `changes` into the package of its exercise, and
     /// gives what `--check` says of it.
-    fn check(&self, step: usize, changes: &[Change]) -> Output {
+    pub(crate) fn check(&self, step: usize, changes: &[Change]) -> Output {
         self.with(step, changes, |mut check| check.output().expect("it runs"))
     }
 

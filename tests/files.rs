@@ -4,7 +4,10 @@ use std::ffi::OsStr;
 use std::fs::File;
 use std::io::Cursor;
 use std::io::Read;
+use std::io::Write;
+use std::path::Path;
 use std::process::Output;
+use std::process::Stdio;
 
 use flate2::Crc;
 use image::ImageFormat;
@@ -83,7 +86,7 @@ fn a_picture_that_cannot_be_written_is_a_failure_in_one_line() {
 fn a_file_is_replaced_in_one_stroke_and_may_have_any_name() {
     let long = format!("{}.png", "a".repeat(251));
     let mut names = vec!["Bild größer 图片 🖼.png", "no_extension", "A.PNG", ".hidden", "./-s.png"];
-    names.extend(["-", "old.png", &long]);
+    names.extend(["old.png", &long]);
     // Windows refuses such a name.
     names.extend(cfg!(unix).then_some("'\"$(x)`*?.png"));
     for name in names {
@@ -168,6 +171,49 @@ fn links_and_permissions_stay_and_a_full_disk_leaves_the_old_file() {
     }
 }
 
+/// Written as students' programs write: as binary and text, with and without loss, under any name.
+#[test]
+fn pictures_of_other_programs_are_compared_from_files_and_pipes() {
+    let folder = folder();
+    let picture = expected();
+    let header = |magic| format!("{magic}\n# a comment\n16 9\n255\n").into_bytes();
+    let binary = [header("P6"), picture.to_vec()].concat();
+    let numbers: Vec<String> = picture.iter().map(ToString::to_string).collect();
+    let text = [header("P3"), numbers.join("\n").into_bytes()].concat();
+    fs::write(folder.path().join("a.ppm"), &binary).expect("written");
+    fs::write(folder.path().join("b.ppm"), text).expect("written");
+    for name in ["c.bmp", "d.tga", "e.png"] {
+        picture.save(folder.path().join(name)).expect("written");
+    }
+    for name in ["a.ppm", "b.ppm", "c.bmp", "d.tga", "e.png"] {
+        let output = run(folder.path(), &["--compare", name]);
+        let said = String::from_utf8_lossy(&output.stdout);
+        assert_eq!(said, format!("{name}: equal to the last digit\n"), "{output:?}");
+        assert_eq!(output.status.code(), Some(0), "{name}");
+    }
+    let mut piped = command(STEP, folder.path());
+    let piped = piped.args(["-s", "16x9", "--compare", "-"]).stdin(Stdio::piped());
+    let mut piped = piped.stdout(Stdio::piped()).spawn().expect("it runs");
+    piped.stdin.take().expect("a pipe").write_all(&binary).expect("it reads");
+    let output = piped.wait_with_output().expect("it ended");
+    assert_eq!(String::from_utf8_lossy(&output.stdout), "-: equal to the last digit\n");
+    // Loss is said, and taken for none.
+    let large = picture_of(&setup(6), 96, 54);
+    large.save(folder.path().join("f.jpg")).expect("written");
+    let mut program = command(STEP, folder.path());
+    let output = program.args(["-s", "96x54", "--compare", "f.jpg"]).output().expect("it runs");
+    let said = String::from_utf8_lossy(&output.stdout);
+    assert!(said.contains("\na JPEG keeps pixels only nearly: "), "{said}");
+    assert_eq!(output.status.code(), Some(0), "{said}");
+    // And a picture goes into a pipe, but not where something else is printed.
+    let output = run(folder.path(), &["-o", "-"]);
+    let found = image::load_from_memory_with_format(&output.stdout, ImageFormat::Png);
+    assert_eq!(found.expect("a PNG").into_rgb8(), picture);
+    let output = run(folder.path(), &["-o", "-", "--compare", "e.png"]);
+    assert_eq!((output.status.code(), output.stdout.is_empty()), (Some(2), true));
+    assert!(only_line(&output).contains("--compare writes to standard output already"));
+}
+
 /// A PNG that says that it is of this size, and has its checksum right.
 fn png(width: u32, height: u32) -> Vec<u8> {
     let mut bytes = Cursor::new(Vec::new());
@@ -191,9 +237,16 @@ fn what_is_no_picture_is_refused_in_one_line() {
     let input = tempdir().expect("a folder");
     RgbImage::new(100_000, 1).save(input.path().join("wide.png")).expect("written");
     for (name, bytes, reason) in [
-        ("empty", &b""[..], ""),
-        ("text.png", b"once upon a time", "it is no PNG"),
-        ("picture.jpg", b"\xff\xd8\xff\xe0\0\x10JFIF\0", "it is no PNG"),
+        ("empty", &b""[..], "it is empty"),
+        ("text.png", b"once upon a time", "it is damaged"),
+        ("text", b"once upon a time", "it is no picture"),
+        ("picture.jpg", b"\xff\xd8\xff\xe0\0\x10JFIF\0", "it is damaged"),
+        (
+            "picture.webp",
+            b"RIFF\x24\0\0\0WEBPVP8 ",
+            "it is a picture of another kind, WEBP: magick ",
+        ),
+        ("picture.gif", b"GIF89a\x01\0\x01\0", "it is a picture of another kind, GIF: magick "),
         ("truncated.png", &whole[..whole.len() / 2], "it is damaged"),
         ("checksum.png", &wrong, "it is damaged"),
         ("gigantic.png", &png(0x7fff_ffff, 0x7fff_ffff), limit),
@@ -208,8 +261,8 @@ fn what_is_no_picture_is_refused_in_one_line() {
         }
         let path = path.to_str().expect("text");
         let output = run(folder.path(), &["--compare", path, "-o", "old.png"]);
-        let beginning = format!("cannot read {path} as a PNG: {reason}");
-        assert_failed(folder.path(), &output, &beginning, "; name one such as --output writes");
+        let beginning = format!("cannot read {path}: {reason}");
+        assert_failed(folder.path(), &output, &beginning, ", a PPM, BMP, TGA or JPEG");
     }
     // Before one is rendered.
     let folder = folder();
@@ -229,7 +282,8 @@ fn what_is_no_picture_is_refused_in_one_line() {
     let output = compared("-s 9x16 --compare a.png -o both.png");
     assert!(only_line(&output).starts_with(STEP) && output.status.code() == Some(1));
     let found = String::from_utf8_lossy(&output.stdout);
-    assert_eq!(found, "a.png: the size is 16x9, and 9x16 was expected\n");
+    let expected = "a.png: the size is 16x9, and 9x16 was expected; add --size 16x9\n";
+    assert_eq!(found, expected);
     let sizes =
         ["b.png", "both.png"].map(|file| read_picture(&folder.path().join(file)).dimensions());
     assert_eq!(sizes, [(3 * 16, 9), (3 * 16, 16)], "three side by side");

@@ -109,8 +109,11 @@ fn steps_are_the_same_everywhere() {
         let (equations, words): (Vec<&str>, Vec<&str>) =
             rest.lines().filter(|line| !line.is_empty()).partition(|line| line.starts_with("  "));
         let is_whole = question.ends_with('?') && equations.iter().any(|line| line.contains(" = "));
-        assert!(is_whole && !words.is_empty(), "{name}: {idea}");
+        let is_plain = !words.concat().contains(['\\', '$']);
+        assert!(is_whole && !words.is_empty() && is_plain, "{name}: {idea}");
     }
+    let idea = programs()[6].idea;
+    assert!(idea.contains("\n  \\mathbf{h} = "), "{idea}");
 }
 
 #[test]

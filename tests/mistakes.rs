@@ -4,14 +4,15 @@ use exercises::Diagnosis;
 use exercises::Mistake;
 use exercises::Pair;
 use exercises::SYMBOLS;
+use exercises::Scene;
 use exercises::Shot;
 use tests::prelude::*;
 
 /// What is said of `found` where the last step was expected, as it starts.
 fn said_of(found: &RgbImage) -> Vec<&'static str> {
     let (setup, size) = (setup(6), size(240, 135));
-    let camera = setup.view().camera(size.aspect());
-    let shot = Shot::new(&setup, &*camera, size, 1);
+    let scene = Scene::new(setup, size);
+    let shot = scene.shot(1);
     let expected = shot.frame.render();
     let said = Diagnosis::new("", &[Pair { shot, times: 1.0, expected: &expected, found }]);
     said.mistakes.iter().map(|mistake| mistake.what).collect()
@@ -68,21 +69,27 @@ const UNNAMED: [&str; 4] = [
 
 #[test]
 fn each_mistake_is_told_from_all_others() {
-    let views =
-        ["", "camera=parallel", "azimuth=60", "elevation=-20", "distance=0.1", "center.x=0.9"];
+    let views = [
+        "",
+        "camera=parallel",
+        "azimuth=60",
+        "elevation=-20",
+        "distance=0.1",
+        "center.x=0.9",
+        "k_d=0.3",
+    ];
     let mut unnamed: Vec<&str> = Mistake::ALL.iter().map(|mistake| mistake.what).collect();
     unnamed.dedup();
     for (index, name) in STEPS.iter().enumerate() {
         let size = size(32, 18);
-        let setups = views.map(|view| {
+        let scenes = views.map(|view| {
             let mut setup = setup(index);
-            // Only some steps have a centre.
+            // Only some steps have a centre, or light.
             drop(view.split_once('=').map(|(control, value)| setup.set(control, value)));
-            setup
+            Scene::new(setup, size)
         });
-        let cameras = setups.each_ref().map(|setup| setup.view().camera(size.aspect()));
-        let frames = setups.iter().zip(&cameras).map(|(setup, camera)| {
-            let shot = Shot::new(setup, &**camera, size, 1);
+        let frames = scenes.iter().map(|scene| {
+            let shot = scene.shot(1);
             (shot, shot.frame.render())
         });
         let frames: Vec<(Shot<'_>, RgbImage)> = frames.collect();

@@ -6,6 +6,7 @@ mod figures;
 mod files;
 mod language;
 mod mistakes;
+mod slips;
 mod window;
 mod wrong;
 

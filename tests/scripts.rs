@@ -31,11 +31,6 @@ fn quoted(before: &str) -> impl Iterator<Item = &'static str> + use<> {
     after.filter_map(|rest| rest.split('"').next())
 }
 
-/// What the scripts part the symbols with that a place may be for.
-pub(crate) fn or() -> &'static str {
-    quoted("dataset.symbol.split(").next().expect("there are such places")
-}
-
 /// The texts that the scripts say, in English.
 pub(crate) fn said() -> impl Iterator<Item = String> {
     quoted("text(").map(str::to_owned)

@@ -291,7 +291,7 @@ fn without_a_window_the_picture_is_written() {
         };
         let output = command.output().expect("the step starts");
         let errors = String::from_utf8(output.stderr).expect("text");
-        let name = format!("{}.png", STEPS[4]);
+        let name = format!("{}-1.png", STEPS[4]);
         assert!(output.status.success() && errors.contains(reason), "{errors}");
         assert_eq!(files(folder.path()), [&*name], "nothing else is written");
         let found = read_picture(&folder.path().join(name));

@@ -7,6 +7,7 @@ use show::latex;
 use show::law_name;
 use show::mathml;
 use show::plain;
+use show::terms;
 
 use crate::PROGRAMS;
 use crate::escape::escape;
@@ -66,7 +67,11 @@ pub(crate) fn block(text: &str, told: &mut [Told]) -> String {
         (!is_left_out).then(|| format!("<mtext>{span}</mtext>"))
     };
     for equation in text.split(r"\qquad") {
-        html.push_str(&mathml(&latex(equation), true, &mut place));
+        html.push_str("<div>");
+        for term in terms(&latex(equation)) {
+            html.push_str(&mathml(&term, true, &mut place));
+        }
+        html.push_str("</div>");
     }
     html + "</div>"
 }

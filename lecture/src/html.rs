@@ -232,7 +232,8 @@ pub fn build() -> Result<Vec<u8>> {
         }
         None if has_target() => Command::new(cargo),
         None => bail!(text!(
-            "Rust cannot build for a browser yet: {command}",
+            "Rust cannot build for a browser yet: {command}; where there is no rustup, sudo apt install \
+             libstd-rust-dev-wasm32, or sudo dnf install rust-std-static-wasm32-unknown-unknown",
             command = format!("rustup target add {TARGET}")
         )),
     };

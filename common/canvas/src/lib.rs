@@ -6,8 +6,10 @@
 mod area;
 mod canvas;
 mod font;
+mod glyphs;
 mod ink;
 mod pixels;
+mod radiance;
 mod shape;
 mod srgb;
 mod told;
@@ -26,6 +28,7 @@ pub use pixels::difference;
 pub use pixels::encode_means;
 pub use pixels::off;
 pub use pixels::pack;
+pub use radiance::Radiance;
 pub use srgb::decode;
 pub use srgb::encode;
 pub use told::Palette;

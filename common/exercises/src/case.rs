@@ -4,8 +4,7 @@ use std::fmt;
 
 use anyhow::Result;
 
-use crate::sample::Shot;
-use common::Camera;
+use crate::Scene;
 use show::Make;
 use show::Setting;
 use show::Setup;
@@ -17,12 +16,6 @@ pub(crate) struct Case {
     pub(crate) size: Size,
     /// NAME=VALUE each.
     pub(crate) settings: Vec<String>,
-}
-
-/// A case as it is made: what is seen, where from.
-pub(crate) struct Scene {
-    setup: Setup,
-    camera: Box<dyn Camera>,
 }
 
 /// Views of those steps that have these controls: width, height, settings.
@@ -94,13 +87,7 @@ impl Case {
             let (name, value) = setting.split_once('=').unwrap_or((setting, ""));
             setup.set(name, value).map_err(|_| name.to_owned())?;
         }
-        let camera = setup.view().camera(self.size.aspect());
-        Ok(Scene { setup, camera })
-    }
-
-    pub(crate) fn shot<'a>(&self, scene: &'a Scene) -> Shot<'a> {
-        let Scene { setup, camera } = scene;
-        Shot::new(setup, &**camera, self.size, 1)
+        Ok(Scene::new(setup, self.size))
     }
 
     /// What gives the picture on a command line.

@@ -1,5 +1,6 @@
 //! `--check`: whether a solution of an exercise is right, and what is wrong with it.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 use std::path::PathBuf;
 
@@ -11,9 +12,9 @@ use image::imageops::FilterType;
 
 use crate::Diagnosis;
 use crate::Pair;
+use crate::Scene;
 use crate::Shot;
 use crate::case::Case;
-use crate::case::Scene;
 use crate::first_line::first_line;
 use crate::mistake::centered;
 use crate::other;
@@ -29,9 +30,10 @@ use show::side_by_side;
 use show::text;
 use show::written;
 
-/// How many times its light a picture is compared with: as it is seen, what is darker than black, and
-/// what is brighter than white. Where a picture cuts it off, the mean of many rays does not.
-const TIMES: [f32; 3] = [1.0, -1.0, 1.0 / 16.0];
+/// How many times its light a picture is compared with where some of it is darker than black, or brighter
+/// than white. Where a picture cuts that off, the mean of many rays does not.
+const DARKER: f32 = -1.0;
+const BRIGHTER: f32 = 1.0 / 16.0;
 
 /// Where, in eighths across and down, both programs have to tell the same.
 const TOLD: [(usize, usize); 3] = [(4, 4), (3, 5), (6, 4)];
@@ -55,7 +57,7 @@ pub(crate) fn check(program: &Program, name: &str) -> Result<Verdict> {
     let scenes: Vec<Scene> = scenes
         .collect::<Result<_, String>>()
         .map_err(|name| anyhow!(text!("'{name}' cannot be set", name)))?;
-    let shots = cases.iter().zip(&scenes).map(|(case, scene)| (case, case.shot(scene)));
+    let shots = cases.iter().zip(&scenes).map(|(case, scene)| (case, scene.shot(1)));
     let mut built = None;
     let answers = if itself {
         shots.clone().map(|(_, shot)| Answer::Picture(shot.frame.radiance())).collect()
@@ -71,21 +73,25 @@ pub(crate) fn check(program: &Program, name: &str) -> Result<Verdict> {
     };
     let mut compared: Vec<Compared<'_>> = Vec::new();
     let mut lacking: Vec<&str> = Vec::new();
+    let mut count = 0;
     for ((case, shot), answer) in shots.zip(&answers) {
         match answer {
             Answer::Picture(found) => {
                 let expected = if itself { centered(&shot.frame) } else { shot.frame.radiance() };
-                compared.extend(
-                    TIMES.map(|times| Compared::new(case, shot, times, [&expected, found])),
-                );
+                let both = [&expected, found];
+                let ranges = both.map(Radiance::range);
+                let darker = ranges.iter().any(|range| range.0 < 0.0).then_some(DARKER);
+                let brighter = ranges.iter().any(|range| range.1 > 1.0).then_some(BRIGHTER);
+                let times = [Some(1.0), darker, brighter].into_iter().flatten();
+                compared.extend(times.map(|times| Compared::new(case, shot, times, both)));
+                count += 1;
             }
             Answer::Lacks(control) if !lacking.contains(&control.as_str()) => lacking.push(control),
             Answer::Lacks(_) => {}
         }
     }
-    let count = compared.len() / TIMES.len();
-    let differ = |pictures: &[Compared<'_>]| pictures.iter().any(|it| !it.comparison.is_equal());
-    let differing = compared.chunks(TIMES.len()).filter(|pictures| differ(pictures)).count();
+    let off = compared.iter().filter(|it| !it.comparison.is_equal()).map(|it| it.case.to_string());
+    let differing = off.collect::<BTreeSet<String>>().len();
     let lacking = match lacking.is_empty() {
         true => String::new(),
         false => text!(

@@ -17,8 +17,8 @@ pub struct Diagnosis {
     pub milestone: Option<&'static Milestone>,
     /// The mistakes that explain the pictures too, the likeliest first.
     pub mistakes: Vec<&'static Mistake>,
-    /// The colour that all pixels have.
-    pub only: Option<[u8; 3]>,
+    /// Whether nothing can be told, since each picture is all black or all white.
+    pub is_blank: bool,
     /// Two mistakes that explain the pictures together, where none does alone.
     pub two: Option<[&'static Mistake; 2]>,
     /// A mistake on the way: with it the milestone is explained, and not without.
@@ -40,9 +40,8 @@ impl Diagnosis {
     /// of `step`.
     pub fn new(step: &str, pairs: &[Pair<'_>]) -> Self {
         let Some(sample) = Sample::new(pairs) else { return Self::default() };
-        // A picture of one colour is what nearly anything leads to.
-        if let Some(color) = sample.only_color() {
-            return Self { only: Some(color), ..Self::default() };
+        if sample.is_blank() {
+            return Self { is_blank: true, ..Self::default() };
         }
         let milestones = || Milestone::ALL.iter().filter(|milestone| milestone.step == step);
         let reached = milestones().filter_map(|it| Some((it.misfits(&sample, PART, None)?, it)));
@@ -135,13 +134,11 @@ impl fmt::Display for Diagnosis {
             let alike = text!("All of these give these pictures: the first is the most likely.");
             writeln!(f, "{alike}")?;
         }
-        if let Some(color) = self.only {
-            let color = format!("{color:?}");
-            writeln!(
-                f,
-                "{}",
-                text!("All pixels of all pictures are {color}: each ray hits, or none", color)
-            )?;
+        if self.is_blank {
+            let blank = text!(
+                "Each picture that differs is all black or all white: every ray hits, or none."
+            );
+            writeln!(f, "{blank}")?;
         }
         if let Some([one, two]) = self.two {
             writeln!(f, "{}", text!("Two at once: {one}. And: {two}", one, two))?;

@@ -10,10 +10,12 @@ use crate::symbol::*;
 use common::Color;
 use common::Pixel;
 use common::Ray;
+use show::Setting;
 
 macro_rules! kind {
     (told $($slip:tt)*) => { Kind::Told(told!($($slip)*)) };
     (mapped $place:expr) => { Kind::Mapped($place) };
+    (set $values:expr) => { Kind::Set($values) };
     (unasked $($slip:tt)*) => { Kind::Unasked(told!($($slip)*)) };
     (blocked $range:expr) => { Kind::Blocked($range) };
     (seen $color:expr) => { Kind::Seen($color) };
@@ -107,6 +109,11 @@ pub(crate) const ALL: &[Mistake] = known! {
             told(|said|
                 T_1(t) => ahead(t),
                 POINT(_) => said.viewing_ray()?.at(said.root(-1.0)?));
+        "t > 0 is not asked: what is behind the eye is seen too" =>
+            told(|said|
+                T_1(t) => ahead(t),
+                T(t) => ahead(t),
+                POINT(_) => said.viewing_ray()?.at(said.root(-1.0)?));
         "The roots are in the wrong order: the larger t is tried first" =>
             told(|said| T_1(_) => said.root(1.0)?, T_2(_) => said.root(-1.0)?);
         "Only the smaller root is tried: from inside a sphere the larger one is seen" =>
@@ -143,6 +150,12 @@ pub(crate) const ALL: &[Mistake] = known! {
             told(|said|
                 B(_) => { let ray = said.viewing_ray()?; ray.direction.dot(ray.origin) },
                 Q_SQUARED(_) => said.viewing_ray()?.at(-said.get(B)? / said.get(A)?).length_squared());
+        "The sphere's centre is added, not subtracted: p is ray.origin − center" =>
+            set(|settings| {
+                let is_center = |it: &&Setting| it.control.axis.is_some_and(|it| it.0 == "center");
+                let centers = settings.iter().filter(is_center);
+                centers.map(|it| (it.name.clone(), -it.control.value)).collect()
+            });
         "A sphere's normal is not of unit length: divide point − center by the radius" =>
             told(|said| NORMAL(normal) => normal * said.radius_squared(said.get(D)?)?.sqrt());
     }
@@ -200,11 +213,8 @@ pub(crate) const ALL: &[Mistake] = known! {
             told(|said| ALPHA(_) => 1.0 + said.get(BETA)? + said.get(GAMMA)?);
     }
     "Intersecção de raios em software", "intersect in scene.rs" {
-        "t > 0 is not asked, of no surface: what is behind the eye is seen too" =>
-            told(|said|
-                T_1(t) => ahead(t),
-                T(t) => ahead(t),
-                POINT(_) => said.viewing_ray()?.at(said.root(-1.0)?));
+        "Nothing is hit: all that is seen is the background" =>
+            told(|_| T_1(_) => -1.0, T_2(_) => -1.0, T(_) => -1.0);
         "t_max stays as it was: the last hit wins, not the closest" =>
             told(|_| T_MAX(_) => f32::INFINITY);
         "The largest t wins: the hit is the farthest, not the closest" =>
@@ -296,6 +306,10 @@ pub(crate) const ALL: &[Mistake] = known! {
             blocked(|ray, epsilon| {
                 between(Ray::new(ray.at(1.0), -ray.direction), epsilon, 1.0)
             });
+        "The shadow ray points away from the light: its direction is light − point" =>
+            blocked(|ray, epsilon| between(Ray::new(ray.origin, -ray.direction), epsilon, 1.0));
+        "The shadow ray's direction is the light's position, not the vector from the point to it" =>
+            blocked(|ray, epsilon| between(Ray::new(ray.origin, ray.at(1.0)), epsilon, 1.0));
         "Where one light is blocked all is black: black is what that light alone adds" =>
             told(|said| RADIANCE(l) =>
                 if said.lights_seen() < said.lights().len() { Color::ZERO } else { l });
@@ -317,6 +331,12 @@ pub(crate) const ALL: &[Mistake] = known! {
     }
     "Illuminação ambiente", "shade in scene.rs" {
         "The ambient term L_a is missing" => told(|_| L_A(_) => Color::ZERO);
+        "k_a is always a tenth of k_d: it is a colour of its own, which begins so" =>
+            set(|settings| {
+                let of = |name| settings.iter().filter(move |it| it.control.name == name);
+                let pairs = of("k_a").zip(of("k_d"));
+                pairs.map(|(k_a, k_d)| (k_a.name.clone(), 0.1 * k_d.control.value)).collect()
+            });
         "The ambient term is grey: k_a has the surface's colour" =>
             told(|_| K_A(_) => Color::splat(0.1));
         "The ambient term is I_a alone, without k_a" => told(|_| K_A(_) => Color::ONE);
@@ -369,6 +389,10 @@ pub(crate) const ALL: &[Mistake] = known! {
         "The exponent p is missing" => told(|_| EXPONENT(_) => 1.0);
     }
     "Reflexão", "shade in material.rs" {
+        "The highlight is where n·l < 0, not where n·l > 0" =>
+            told(|said|
+                N_DOT_L(n_dot_l) => if n_dot_l > 0.0 { n_dot_l } else { 1e-9 },
+                L_S(l_s) => if said.get(N_DOT_L)? > 1e-8 { Color::ZERO } else { l_s });
         "A light behind the surface has a highlight too: ask for n·l > 0" =>
             told(|_| N_DOT_L(n_dot_l) => n_dot_l.max(1e-9));
     }

@@ -29,6 +29,7 @@ pub use milestone::Milestone;
 pub use mistake::Mistake;
 pub use sample::Pair;
 use sample::Sample;
+pub use sample::Scene;
 pub use sample::Shot;
 use settings::Settings;
 use show::Code;
@@ -78,8 +79,8 @@ impl Exercises for Known {
         &self, setup: &Setup, samples: usize, expected: &RgbImage, found: &RgbImage,
     ) -> Result<String> {
         let size = Size::new(expected.width() as usize, expected.height() as usize)?;
-        let camera = setup.view().camera(size.aspect());
-        let shot = Shot::new(setup, &*camera, size, samples);
+        let scene = Scene::new(setup.copied(), size);
+        let shot = scene.shot(samples);
         let pairs = [Pair { shot, times: 1.0, expected, found }];
         // What is right but for its settings is no mistake: that is said first.
         let others = Sample::new(&pairs)

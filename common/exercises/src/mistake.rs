@@ -21,6 +21,9 @@ use common::Slip;
 use common::Step;
 use show::Frame;
 use show::Radiance;
+use show::Setting;
+use show::Setup;
+use show::Shown;
 use show::encode;
 use show::first_hit;
 use show::translated;
@@ -44,6 +47,8 @@ pub struct Mistake {
 pub(crate) enum Kind {
     /// The ray goes through this (u, v), not through the pixel's centre.
     Mapped(fn(Pixel) -> (f32, f32)),
+    /// Controls follow others that they should not: which, and the values that they take.
+    Set(fn(&[Setting]) -> Vec<(String, f32)>),
     /// A value told is another.
     Told(Slip),
     /// The same, so that what is asked of the value lets it pass; where it is seen, it is as it was.
@@ -71,6 +76,17 @@ impl Mistake {
     /// What the pixel (col, row) of `shot` is with this mistake.
     pub fn pixel(&self, shot: &Shot<'_>, col: u32, row: u32) -> [u8; 3] {
         pixel(&[self], shot, 1.0, col, row)
+    }
+
+    /// The step of `setup` with this mistake, if it is one of settings.
+    pub(crate) fn altered(&self, setup: &Setup) -> Option<Box<dyn Shown>> {
+        let Kind::Set(values) = self.kind else { return None };
+        let mut other = setup.copied();
+        for (name, value) in values(&setup.list()) {
+            // What it does not take stays as it is.
+            let _ = other.set(&name, &value.to_string());
+        }
+        Some(other.into_step())
     }
 
     /// Whether it and `other` can be made at once: they are not two of the same kind of thing.
@@ -113,12 +129,13 @@ pub(crate) fn pixel(
 
 /// The radiance of `pixel` with `mistakes`, but for those of encoding.
 fn color(mistakes: &[&Mistake], shot: &Shot<'_>, pixel: Pixel) -> Color {
-    let Frame { step, camera, .. } = shot.frame;
+    let Frame { mut step, camera, .. } = shot.frame;
     let (mut u, mut v) = center(pixel);
     let (mut slips, mut blocked, mut other, mut is_asked) = (Vec::new(), None, None, true);
     for mistake in mistakes {
         match mistake.kind {
             Kind::Mapped(place) => (u, v) = place(pixel),
+            Kind::Set(_) => step = shot.altered(mistake.what).unwrap_or(step),
             Kind::Told(slip) => slips.push(slip),
             Kind::Unasked(slip) => {
                 slips.push(slip);
@@ -158,7 +175,7 @@ pub(crate) fn centered(frame: &Frame<'_>) -> Radiance {
         let (u, v) = center(pixel);
         seen(frame.step, frame.camera.generate_ray(u, v), pixel, &[]).color
     };
-    Radiance { size: frame.size, colors: (0..width * height).map(color).collect() }
+    Radiance { width, colors: (0..width * height).map(color).collect() }
 }
 
 /// What is told of a place with one ray through its centre and `slips`.

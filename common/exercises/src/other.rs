@@ -35,7 +35,6 @@ use crate::case::Case;
 use show::Comparison;
 use show::Language;
 use show::Radiance;
-use show::Size;
 use show::report;
 use show::text;
 
@@ -164,8 +163,8 @@ impl Other<'_> {
             Ended::Drawn => {
                 let bytes = fs::read(self.path(index)).with_context(failed)?;
                 let picture = Radiance::of_pfm(&bytes).with_context(failed)?;
-                let dimensions = |size: Size| (size.width() as u32, size.height() as u32);
-                let [expected, found] = [case.size, picture.size].map(dimensions);
+                let expected = (case.size.width() as u32, case.size.height() as u32);
+                let found = picture.dimensions();
                 ensure!(expected == found, "{name}: {}", Comparison::Size { expected, found });
                 Ok(Answer::Picture(picture))
             }

@@ -2,12 +2,45 @@
 
 use image::RgbImage;
 
+use crate::mistake::Mistake;
 use common::Camera;
+use common::Step;
 use show::Frame;
 use show::Setup;
+use show::Shown;
 use show::Size;
 use show::TOLERANCE;
 use show::off;
+
+/// A step as it is set up and seen, and as each mistake in its settings has it.
+pub struct Scene {
+    setup: Setup,
+    camera: Box<dyn Camera>,
+    size: Size,
+    altered: Vec<Altered>,
+}
+
+/// What a mistake is, and the step with it.
+type Altered = (&'static str, Box<dyn Shown>);
+
+impl Scene {
+    /// What a picture of this size shows of the step as it is set up.
+    pub fn new(setup: Setup, size: Size) -> Self {
+        let camera = setup.view().camera(size.aspect());
+        let altered = Mistake::ALL.iter().filter_map(|it| Some((it.what, it.altered(&setup)?)));
+        let altered = altered.collect();
+        Self { setup, camera, size, altered }
+    }
+
+    /// Its picture, with the square of `samples` rays a pixel.
+    pub fn shot(&self, samples: usize) -> Shot<'_> {
+        let Self { setup, camera, size, altered } = self;
+        let controls = setup.list();
+        let epsilon = controls.iter().find(|setting| setting.name == "epsilon");
+        let epsilon = epsilon.map_or(0.0, |setting| setting.control.value);
+        Shot { epsilon, altered, ..Shot::right(setup, &**camera, *size, samples) }
+    }
+}
 
 /// How a picture is made, and what a mistake has to know of that.
 #[derive(Clone, Copy)]
@@ -16,15 +49,22 @@ pub struct Shot<'a> {
     pub frame: Frame<'a>,
     /// Where shadow rays begin.
     pub(crate) epsilon: f32,
+    altered: &'a [Altered],
 }
 
 impl<'a> Shot<'a> {
-    /// What `camera` sees of the step as it is set up, with the square of `samples` rays a pixel.
-    pub fn new(setup: &'a Setup, camera: &'a dyn Camera, size: Size, samples: usize) -> Self {
-        let controls = setup.list();
-        let epsilon = controls.iter().find(|setting| setting.name == "epsilon");
-        let epsilon = epsilon.map_or(0.0, |setting| setting.control.value);
-        Self { frame: Frame { step: setup.step(), camera, size, samples }, epsilon }
+    /// What `camera` sees of the step as it is set up: nobody asks it for a mistake.
+    pub(crate) fn right(
+        setup: &'a Setup, camera: &'a dyn Camera, size: Size, samples: usize,
+    ) -> Self {
+        let frame = Frame { step: setup.step(), camera, size, samples };
+        Self { frame, epsilon: 0.0, altered: &[] }
+    }
+
+    /// The step with the mistake `what`, if that is one of settings.
+    pub(crate) fn altered(&self, what: &str) -> Option<&'a dyn Step> {
+        let altered = self.altered.iter().find(|altered| altered.0 == what);
+        altered.map(|(_, step)| &**step as &dyn Step)
     }
 }
 
@@ -95,11 +135,17 @@ impl<'a> Sample<'a> {
         self.0.iter().flat_map(|part| part.differing.iter().chain(&part.equal))
     }
 
-    /// The colour that is found everywhere, if it is one.
-    pub(crate) fn only_color(&self) -> Option<[u8; 3]> {
-        let mut seen = self.places().filter(|place| place.pair.times == 1.0).map(Place::found);
-        let color = seen.next()?;
-        seen.all(|other| other == color).then_some(color)
+    /// Whether each picture that is seen is all black or all white: nearly anything leads to that.
+    pub(crate) fn is_blank(&self) -> bool {
+        let is_seen =
+            |part: &&Part<'_>| part.differing.first().is_some_and(|place| place.pair.times == 1.0);
+        let seen = || self.0.iter().filter(is_seen);
+        seen().count() > 0
+            && seen().all(|part| {
+                let mut found = part.differing.iter().chain(&part.equal).map(Place::found);
+                let first = found.next().unwrap_or_default();
+                [[0; 3], [255; 3]].contains(&first) && found.all(|other| other == first)
+            })
     }
 
     /// Some of its places that differ, for a first look.

@@ -99,7 +99,7 @@ impl Settings<'_> {
     /// What `of` makes of the pixels that are seen as `setup` has it.
     fn seen<T>(&self, setup: &Setup, of: impl FnOnce(&dyn Fn(&Place<'_>) -> [u8; 3]) -> T) -> T {
         let camera = setup.view().camera(self.size.aspect());
-        let shot = Shot::new(setup, &*camera, self.size, self.samples);
+        let shot = Shot::right(setup, &*camera, self.size, self.samples);
         of(&|place| pixel(&[], &shot, 1.0, place.col, place.row))
     }
 }

@@ -4,6 +4,7 @@ use std::fmt;
 use std::ops::RangeInclusive;
 
 use crate::text;
+use crate::typed::typed;
 use common::Adjustable;
 use common::Controls;
 use common::Kind;
@@ -193,13 +194,19 @@ impl Control {
             options.iter().position(|name| text == if full { name } else { first_word(name) })
         };
         let value = match options.is_empty() {
-            true => text.parse().ok(),
+            true => typed(text),
             false => named(true).or_else(|| named(false)).map(|place| place as f32),
+        };
+        let takes = match value {
+            None if options.is_empty() => {
+                text!("a number such as 0.5, {range}", range = self.takes())
+            }
+            _ => self.takes(),
         };
         value.filter(|value| self.accepts(*value)).ok_or_else(|| Refused {
             name: self.name.clone(),
             value: text.to_owned(),
-            takes: self.takes(),
+            takes,
         })
     }
 

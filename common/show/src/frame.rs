@@ -6,8 +6,8 @@ use std::str::FromStr;
 
 use image::RgbImage;
 
-use crate::Radiance;
 use crate::text;
+use canvas::Radiance;
 use canvas::encode_means;
 use common::Camera;
 use common::Color;
@@ -96,8 +96,8 @@ impl FromStr for Size {
 
     /// Reads `960x540`; the typographic × does as well.
     fn from_str(text: &str) -> Result<Self, SizeError> {
-        let (width, height) = text.split_once(['x', 'X', '×']).ok_or(SizeError::Syntax)?;
-        let number = |digits: &str| match digits.parse() {
+        let (width, height) = text.trim().split_once(['x', 'X', '×']).ok_or(SizeError::Syntax)?;
+        let number = |digits: &str| match digits.trim().parse() {
             Ok(number) => Ok(number),
             Err(_) if digits.len() > 9 && digits.bytes().all(|byte| byte.is_ascii_digit()) => {
                 Err(SizeError::TooLarge)
@@ -202,15 +202,10 @@ impl Frame<'_> {
 
     /// The whole picture before it is encoded.
     pub fn radiance(&self) -> Radiance {
-        let (n, width) = (self.samples, self.size.width());
-        let mut all = Vec::with_capacity(width * self.size.height());
-        self.rows(0..self.size.height(), |_, colors| {
-            all.extend((0..width).map(|col| {
-                let square = (0..n).flat_map(|row| &colors[n * (row * width + col)..][..n]);
-                square.sum::<Color>() / (n * n) as f32
-            }));
-        });
-        Radiance { size: self.size, colors: all }
+        let (width, height) = (self.size.width(), self.size.height());
+        let mut picture = Radiance { width, colors: Vec::with_capacity(width * height) };
+        self.rows(0..height, |_, colors| picture.push_means(colors, self.samples));
+        picture
     }
 
     /// Renders the whole picture, one row after the other.

@@ -4,7 +4,9 @@ use crate::Area;
 use crate::Canvas;
 use crate::Desk;
 use crate::Ink;
+use crate::Mark;
 use crate::Sight;
+use crate::marks;
 use crate::sight::distance;
 use crate::vectors::unit;
 use common::Explanation;
@@ -15,6 +17,9 @@ use common::Vec3;
 
 /// What lies over the chosen line's arrow, ray, point or area.
 const CHOSEN: Ink = Ink::new(255, 208, 64).with_alpha(130);
+
+/// What is not so many pixels farther than something else is as near.
+const NEAR: f32 = 4.0;
 
 /// From where to where something goes in the picture.
 type Stroke = ((f32, f32), (f32, f32));
@@ -42,21 +47,28 @@ pub(crate) fn draw_chosen(desk: &Desk, canvas: &mut Canvas<'_>, sight: &Sight<'_
     }
 }
 
-/// The line that is pointed at in the picture in `area`, if it is not farther than `reach`; of several in
-/// the same place the one that is looked at.
+/// The line that is pointed at in the picture in `area`, if it is drawn there and not farther than
+/// `reach`: of several the smallest, as an arrow lies on its ray, and then the one that is looked at.
 pub(crate) fn line_at(desk: &Desk, area: Area, at: (f32, f32), reach: f32) -> Option<LineName> {
     let explanation = desk.explanation().filter(|_| desk.vectors())?;
     let camera = desk.seen_from().camera(desk.picture_size().aspect());
     let sight = Sight { step: desk.setup().step(), camera: &*camera, area };
+    let drawn = marks(&explanation, unit(&sight, &explanation));
     let looked_at = desk.looked_at();
-    let far = |seen: &Seen| {
-        let strokes = seen.strokes.iter().map(|stroke| beside(*stroke, at));
-        let far = strokes.fold(f32::INFINITY, f32::min);
-        (far <= reach).then_some((far.round() as i32, !looked_at.contains(&seen.line.of)))
+    let rank = |seen: &Seen| {
+        let is_drawn = |mark: &Mark| mark.symbol == seen.line.symbol();
+        if !drawn.iter().any(is_drawn) {
+            return None;
+        }
+        let far = seen.strokes.iter().map(|stroke| beside(*stroke, at));
+        let far = far.fold(f32::INFINITY, f32::min);
+        let length: f32 = seen.strokes.iter().map(|(from, to)| distance(*from, *to)).sum();
+        let other = !looked_at.contains(&seen.line.of);
+        (far <= reach).then_some(((far / NEAR) as i32, length as i32, other))
     };
     let near = seen(&sight, &explanation).into_iter();
-    let near = near.filter_map(|seen| Some((far(&seen)?, seen.line)));
-    near.min_by_key(|(far, _)| *far).map(|(_, line)| line)
+    let near = near.filter_map(|seen| Some((rank(&seen)?, seen.line)));
+    near.min_by_key(|(rank, _)| *rank).map(|(_, line)| line)
 }
 
 /// How far a place is from a stroke.

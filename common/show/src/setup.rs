@@ -119,6 +119,11 @@ impl Setup {
         &*self.step
     }
 
+    /// The step, as it was changed, alone.
+    pub fn into_step(self) -> Box<dyn Shown> {
+        self.step
+    }
+
     /// Draws over the finished picture of the step that `camera` sees.
     pub fn draw_over(&self, camera: &dyn Camera, picture: &mut RgbImage) {
         self.step.draw_over(camera, &mut Canvas::new(picture));

@@ -28,15 +28,19 @@ pub(super) struct Line {
 
 /// What is cut out of a source, and what is put there instead.
 #[derive(Default)]
-struct Cuts(Vec<(Range<usize>, String)>);
+struct Cuts {
+    cuts: Vec<(Range<usize>, String)>,
+    /// Those of whole statements: what they tell is told where the line before them stands.
+    statements: Vec<Range<usize>>,
+}
 
 impl Cuts {
     fn cut(&mut self, bytes: Range<usize>, instead: &str) {
-        self.0.push((bytes, instead.to_owned()));
+        self.cuts.push((bytes, instead.to_owned()));
     }
 
     fn covers(&self, byte: usize) -> bool {
-        self.0.iter().any(|(cut, _)| cut.contains(&byte))
+        self.cuts.iter().any(|(cut, _)| cut.contains(&byte))
     }
 }
 
@@ -131,7 +135,7 @@ fn fold_call(source: &Source, listener: usize, cuts: &mut Cuts) {
         },
         _ => return cuts.cut(start..end, "None"),
     };
-    if is_statement(source, listener, close) {
+    if is_statement(source, listener, close) || is_renaming(source, listener, &argument) {
         return cut_statement(source, listener, close, cuts);
     }
     let alone = ["=", "(", ",", "{", "[", "return", "=>", ">", ";"]
@@ -163,12 +167,23 @@ fn is_statement(source: &Source, listener: usize, close: usize) -> bool {
     [";", "{", "}"].contains(&source.part(listener - 1)) && source.part(close + 1) == ";"
 }
 
+/// Whether the call hands its argument back under the name that it has: `let point = say.point(…, point);`.
+fn is_renaming(source: &Source, listener: usize, argument: &Range<usize>) -> bool {
+    let name = listener.wrapping_sub(2);
+    source.part(name + 1) == "="
+        && source.part(name.wrapping_sub(1)) == "let"
+        && argument.len() == 1
+        && source.part(argument.start) == source.part(name)
+}
+
 /// Cuts the statement around a call.
 fn cut_statement(source: &Source, listener: usize, close: usize, cuts: &mut Cuts) {
     let ends = [";", "{", "}"];
     let before = (0..listener).rev().find(|place| ends.contains(&source.part(*place)));
     let first = before.map_or(0, |before| before + 1);
-    cuts.cut(source.start(first)..source.end(close + 1), "");
+    let statement = source.start(first)..source.end(close + 1);
+    cuts.cut(statement.clone(), "");
+    cuts.statements.push(statement);
 }
 
 /// Cuts the first `let` of a name that is not used any more; whether there is one.
@@ -191,7 +206,7 @@ fn cut_needless(source: &Source, item: &Item, cuts: &mut Cuts) -> bool {
 }
 
 /// The lines of what is left; those of which all is cut are left away.
-fn lines(source: &Source, Cuts(mut cuts): Cuts) -> Vec<Line> {
+fn lines(source: &Source, Cuts { mut cuts, statements }: Cuts) -> Vec<Line> {
     let text = source.text;
     cuts.sort_by_key(|(cut, _)| (cut.start, Reverse(cut.end)));
     // Each letter that is left, with the byte of the file that it stands at.
@@ -215,6 +230,11 @@ fn lines(source: &Source, Cuts(mut cuts): Cuts) -> Vec<Line> {
         let follows_blank = lines.last().is_none_or(|last| last.text.is_empty());
         if first.is_none() && (!was_blank || follows_blank) {
             continue;
+        }
+        let told_before =
+            statements.iter().map(|cut| cut.end).filter(|end| (start..*at).contains(end));
+        if let (Some(end), Some(last)) = (told_before.max(), lines.last_mut()) {
+            (last.at.end, start) = (end, end);
         }
         number += text[counted..*at].matches('\n').count();
         counted = *at;

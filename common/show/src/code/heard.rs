@@ -17,11 +17,14 @@ use common::Scope;
 #[derive(Default)]
 pub(super) struct Heard<'a> {
     /// By line and column.
-    lines: HashMap<(u32, u32), Vec<(&'a Line, Option<LineName>)>>,
+    lines: HashMap<(u32, u32), Vec<Named<'a>>>,
     begun: Vec<&'static Location<'static>>,
     /// The things of which one is looked at, with that one.
     pub(super) alike: Vec<(Vec<&'static str>, &'static str)>,
 }
+
+/// A line with its name.
+type Named<'a> = (&'a Line, Option<LineName>);
 
 /// What the listener tells in several lines at once, and what it only begins.
 const SEVERAL: [&str; 4] = ["viewing_ray", "shadow_ray", "sum", "about"];
@@ -63,7 +66,7 @@ impl<'a> Heard<'a> {
     }
 
     /// What is told by the call at `name`.
-    fn told(&self, source: &Source, name: usize) -> Vec<&(&'a Line, Option<LineName>)> {
+    fn told(&self, source: &Source, name: usize) -> Vec<&Named<'a>> {
         let told = self.lines.get(&source.positions[name]).into_iter().flatten();
         told.filter(|(line, _)| is_in(line.source, source)).collect()
     }

@@ -216,7 +216,7 @@ fn part(
     places.for_each(|place| list(&mut lines, place, (all, news), indent));
     if let Some(ran) = ran {
         let idle = ran.not_run(id);
-        let sites = source.sites(item.parts.clone()).into_iter().filter(|site| site.tells);
+        let sites = source.sites(item.parts.clone()).iter().filter(|site| site.tells);
         let told: Vec<_> = sites.map(|site| (source.start(site.name), site.name)).collect();
         for line in lines.iter_mut().filter(|line| line.change != Change::Gone) {
             let Some(at) = all.iter().find(|other| other.number == line.number) else { continue };

@@ -212,7 +212,7 @@ pub fn table() -> Vec<Row> {
         ),
         lecture(
             "X",
-            "where the step before differs, times 8",
+            "where there is more light than in the step before, and less",
             act(&[letter('X')], Act::Difference),
         ),
         lecture(

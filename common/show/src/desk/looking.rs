@@ -15,6 +15,7 @@ use crate::Map;
 use crate::named_lines;
 use crate::text;
 use crate::translated;
+use crate::typed::typed;
 use common::Answer;
 use common::Camera;
 use common::Explanation;
@@ -167,7 +168,7 @@ impl Desk {
             let name = translated(line.symbol());
             return Err(text!("'{name}' has no range: it is no number", name).into());
         }
-        let number = |text: &str| text.trim().parse().ok().filter(|end: &f32| end.abs() < LARGEST);
+        let number = |text: &str| typed(text).filter(|end: &f32| end.abs() < LARGEST);
         let ends = range.split_once(',');
         let ends = ends.and_then(|(low, high)| number(low).zip(number(high)));
         let ends = ends.filter(|(low, high)| low < high);

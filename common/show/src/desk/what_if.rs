@@ -5,6 +5,7 @@ use crate::control::AXES;
 use crate::control::Control;
 use crate::texts;
 use crate::translated;
+use crate::typed::typed;
 use common::Answer;
 use common::Explanation;
 use common::Kind;
@@ -149,8 +150,10 @@ impl WhatIf {
     /// Takes the value that `text` names: a number, for light or a direction also three with commas.
     /// Whether it is one.
     pub(super) fn read(&mut self, text: &str) -> bool {
-        let numbers: Option<Vec<f32>> =
-            text.split(',').map(|part| part.trim().parse().ok()).collect();
+        let numbers: Option<Vec<f32>> = match typed(text) {
+            Some(number) => Some(vec![number]),
+            None => text.split([',', ';']).map(typed).collect(),
+        };
         let numbers = numbers.filter(|numbers| numbers.iter().all(|number| number.is_finite()));
         let value = match (numbers.as_deref(), self.answer.value) {
             (Some([number]), Value::Number(_)) => Value::Number(*number),

@@ -22,6 +22,7 @@ use crate::Frame;
 use crate::Language;
 use crate::Size;
 use crate::text;
+use crate::typed::typed;
 use common::View;
 
 /// The value of an option that not every command line has.
@@ -36,8 +37,8 @@ pub(super) fn given<T: Clone + Send + Sync + 'static>(
 
 pub(super) fn command(suite: &Suite) -> Command {
     let size = |text: &str| text.parse::<Size>().map_err(|error| error.to_string());
-    let samples = |text: &str| match text.parse() {
-        Ok(samples) if (1..=Frame::MAX_SAMPLES).contains(&samples) => Ok(samples),
+    let samples = |text: &str| match typed(text) {
+        Some(samples) if (1..=Frame::MAX_SAMPLES).contains(&samples) => Ok(samples),
         _ => Err(text!("it takes a whole number from 1 to {most}", most = Frame::MAX_SAMPLES)),
     };
     let pixel = |text: &str| {
@@ -49,18 +50,18 @@ pub(super) fn command(suite: &Suite) -> Command {
     };
     let png = PathBufValueParser::new().try_map(file::picture_name);
     let last = suite.programs.len();
-    let step = move |text: &str| match text.parse::<usize>() {
-        Ok(step) if (1..=last).contains(&step) => Ok(step),
+    let step = move |text: &str| match typed::<usize>(text) {
+        Some(step) if (1..=last).contains(&step) => Ok(step),
         _ => Err(text!("it takes a whole number from 1 to {most}", most = last)),
     };
     let window = |text: &str| text.parse::<Place>();
     // How many stops there are is known when they are read.
-    let stop = |text: &str| match text.parse::<usize>() {
-        Ok(stop @ 1..) => Ok(stop),
+    let stop = |text: &str| match typed::<usize>(text) {
+        Some(stop @ 1..) => Ok(stop),
         _ => Err(text!("it takes a whole number from 1 on")),
     };
-    let part = |text: &str| match text.parse::<f32>() {
-        Ok(part) if (0.0..=1.0).contains(&part) => Ok(part),
+    let part = |text: &str| match typed::<f32>(text) {
+        Some(part) if (0.0..=1.0).contains(&part) => Ok(part),
         _ => {
             Err(text!("it takes a number from 0 to 1: how much of the width is the step before's"))
         }
@@ -106,7 +107,14 @@ pub(super) fn command(suite: &Suite) -> Command {
         command = command.arg(code.requires("pixel"));
     }
     if suite.page.is_some() {
-        let page = file("page").value_parser(PathBufValueParser::new());
+        let html = PathBufValueParser::new().try_map(|path| match path.extension() {
+            Some(end) if end.eq_ignore_ascii_case("html") => Ok(path),
+            _ => {
+                let path = path.with_extension("html");
+                Err(text!("the page is HTML, so name it {path}", path = path.display()))
+            }
+        });
+        let page = file("page").value_parser(html);
         let others = [
             "size",
             "camera",

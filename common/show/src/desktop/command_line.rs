@@ -1,12 +1,10 @@
 //! The command line: a desk that is given acts.
 
 use std::ffi::OsString;
-use std::fs;
 use std::path::Path;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use anyhow::Context;
 use anyhow::Result;
 use anyhow::anyhow;
 use clap::ArgMatches;
@@ -64,7 +62,7 @@ fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
     let matches = match command(suite).try_get_matches_from(arguments) {
         Ok(matches) => matches,
         Err(error) if error.kind() == ErrorKind::DisplayHelp => {
-            return status(print(&help(suite)).map(|()| true));
+            return status(print(help(suite).as_bytes()).map(|()| true));
         }
         Err(error) => return usage(&refusal(&error)),
     };
@@ -86,6 +84,16 @@ fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
     if checks {
         return status(tours::check(suite, all));
     }
+    let printed = ["check", "compare", "pixel"]
+        .into_iter()
+        .find(|it| matches.try_contains_id(it).is_ok_and(|given| given));
+    let output = matches.get_one::<PathBuf>("output");
+    if let Some(argument) = printed.filter(|_| output.is_some_and(|path| file::is_standard(path))) {
+        return usage(&text!(
+            "--{argument} writes to standard output already: name a file",
+            argument
+        ));
+    }
     let current = given::<usize>(&matches, "step").map_or(0, |step| step - 1);
     let program = &suite.programs[current];
     let mut desk = suite.desk(current).touring(all);
@@ -96,19 +104,17 @@ fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
         return status(Err(anyhow!(error)));
     }
     if let (Some(other), Some(exercises)) = (given::<String>(&matches, "check"), suite.exercises) {
-        let output = matches.get_one::<PathBuf>("output");
         let output = output.map_or(Path::new("check.png"), PathBuf::as_path);
         return check(exercises, program, &other, output);
     }
-    let output = matches.get_one::<PathBuf>("output");
     let printed = match arrange(&mut desk, &matches) {
         Ok(printed) => printed,
         Err(message) => return usage(&message),
     };
     if let Some(explanation) = printed {
         let printed = match given::<bool>(&matches, "code") {
-            Some(true) => print(&printed::code(&desk, printed::is_coloured())),
-            _ => print(&explanation),
+            Some(true) => print(printed::code(&desk, printed::is_coloured()).as_bytes()),
+            _ => print(explanation.as_bytes()),
         };
         if output.is_none() || printed.is_err() {
             return status(printed.map(|()| true));
@@ -142,9 +148,9 @@ fn check(exercises: &dyn Exercises, program: &Program, other: &str, output: &Pat
     let checked = file::check_destination(output).and_then(|()| exercises.check(program, other));
     match checked {
         Ok(Verdict::Unknown(message)) => usage(&message),
-        Ok(Verdict::Right(text)) => status(print(&text).map(|()| true)),
+        Ok(Verdict::Right(text)) => status(print(text.as_bytes()).map(|()| true)),
         Ok(Verdict::Wrong(text, picture)) => {
-            let written = print(&text).and_then(|()| file::save_png(&picture, output));
+            let written = print(text.as_bytes()).and_then(|()| file::save_png(&picture, output));
             if written.is_ok() {
                 let path = output.display();
                 let written =
@@ -189,7 +195,7 @@ fn open(suite: &Suite, mut desk: Desk, begins: bool, matches: &ArgMatches) -> Ex
         Err(error) => {
             report(name, &text!("no window ({error}), so the picture goes to a file", error));
             let job = Job { name, exercises: suite.exercises, session: Session::new(desk) };
-            status(job.write(&PathBuf::from(format!("{name}.png"))).map(|()| true))
+            status(job.write_new().map(|()| true))
         }
     }
 }
@@ -271,7 +277,7 @@ fn told(refusal: &Refusal) -> String {
 fn write_page(name: &str, path: &Path, page: impl FnOnce() -> Result<String>) -> Result<()> {
     file::check_destination(path)?;
     let page = page()?;
-    fs::write(path, &page).with_context(|| text!("cannot write {path}", path = path.display()))?;
+    file::save(page.as_bytes(), path)?;
     report(
         name,
         &text!("{size} kB, written to {path}", size = page.len() / 1000, path = path.display()),

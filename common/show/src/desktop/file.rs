@@ -3,7 +3,6 @@
 use std::fs;
 use std::fs::File;
 use std::io;
-use std::io::BufReader;
 use std::io::ErrorKind;
 use std::io::Write;
 use std::path::Path;
@@ -12,21 +11,13 @@ use std::path::PathBuf;
 use anyhow::Result;
 use anyhow::anyhow;
 use anyhow::bail;
-use anyhow::ensure;
-use image::DynamicImage;
-use image::ImageDecoder;
-use image::ImageError;
-use image::ImageFormat;
-use image::ImageReader;
-use image::Limits;
 use image::RgbImage;
 use image::codecs::png::PngEncoder;
 use tempfile::Builder;
 use tempfile::NamedTempFile;
 use tempfile::PersistError;
 
-use crate::Size;
-use crate::SizeError;
+use crate::Language;
 use crate::text;
 
 /// Whether two names are of the same file.
@@ -106,6 +97,11 @@ pub(super) fn picture_name(path: PathBuf) -> Result<PathBuf, String> {
     }
 }
 
+/// Whether this name is that of standard output, or input.
+pub(super) fn is_standard(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
 /// Whether what has this name is a portable float map.
 pub(super) fn is_pfm(path: &Path) -> bool {
     path.extension().is_some_and(|end| end.eq_ignore_ascii_case("pfm"))
@@ -153,7 +149,10 @@ pub(crate) fn save_new_png(picture: &RgbImage, stem: &str) -> Result<PathBuf> {
 fn written(bytes: &[u8], path: &Path) -> io::Result<NamedTempFile> {
     let folder = path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
     // Not only for its owner to read, as temporary files are.
-    let mut part = Builder::new().make_in(folder, |part| File::create_new(part))?;
+    let mut names = Builder::new();
+    // As .gitignore has it, if a killed program leaves one.
+    let mut part =
+        names.prefix(".").suffix(".part").make_in(folder, |part| File::create_new(part))?;
     part.write_all(bytes)?;
     Ok(part)
 }
@@ -166,44 +165,7 @@ pub(super) fn png(picture: &RgbImage) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Reads a PNG of any kind as 8-bit RGB; transparency is dropped.
-///
-/// # Errors
-///
-/// When `path` is no readable PNG, or its size is no [`Size`].
-pub(crate) fn read_png(path: &Path) -> Result<RgbImage> {
-    let read = || -> Result<RgbImage> {
-        let file = BufReader::new(File::open(path)?);
-        let mut reader = ImageReader::new(file).with_guessed_format()?;
-        ensure!(reader.format() == Some(ImageFormat::Png), text!("it is no PNG"));
-        // Four channels of 16 bits.
-        let mut limits = Limits::no_limits();
-        limits.max_alloc = Some(8 * Size::MAX_PIXELS as u64);
-        reader.limits(limits);
-        let decoder = match reader.into_decoder() {
-            Err(ImageError::Limits(_)) => return Err(SizeError::TooLarge.into()),
-            decoder => decoder?,
-        };
-        let (width, height) = decoder.dimensions();
-        Size::new(width as usize, height as usize)?;
-        Ok(DynamicImage::from_decoder(decoder)?.into_rgb8())
-    };
-    read().map_err(|error| {
-        // The outer errors of a decoder only say that there is an inner one.
-        let reason = match error.root_cause().downcast_ref() {
-            Some(error) => reason(error),
-            None if error.is::<ImageError>() => text!("it is damaged").to_owned(),
-            None => error.to_string(),
-        };
-        anyhow!(text!(
-            "cannot read {path} as a PNG: {reason}; name one such as --output writes",
-            path = path.display(),
-            reason
-        ))
-    })
-}
-
-/// Why, in the language that is spoken; in the system's own words where it is seldom met.
+/// Why, in the language that is spoken; where it is seldom met only the system's English has words.
 pub(crate) fn reason(error: &io::Error) -> String {
     let reason = match error.kind() {
         ErrorKind::NotFound => text!("there is no such file or folder"),
@@ -213,7 +175,14 @@ pub(crate) fn reason(error: &io::Error) -> String {
         ErrorKind::InvalidFilename => text!("the name is too long, or not a valid one"),
         ErrorKind::ReadOnlyFilesystem => text!("nothing can be written there"),
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => text!("the disk is full"),
-        _ => return error.to_string(),
+        ErrorKind::InvalidData | ErrorKind::UnexpectedEof => text!("it is damaged"),
+        ErrorKind::ExecutableFileBusy | ErrorKind::ResourceBusy => text!("another program has it"),
+        ErrorKind::NotSeekable | ErrorKind::InvalidInput | ErrorKind::Unsupported => {
+            text!("what has this name is no file that this can be done with")
+        }
+        // In the system's own words, which are English: none are better where they are not understood.
+        _ if Language::spoken() == Language::ENGLISH => return error.to_string(),
+        _ => text!("the system refuses it"),
     };
     reason.to_owned()
 }

@@ -24,7 +24,7 @@ pub(super) fn help(suite: &Suite) -> String {
       --check-tour        which stops show nothing, or what the one before shows; exit 1 if any do
       --still             nothing glides from one stop to the next
       --divide PART       the step before left of PART of the width, such as 0.5
-      --difference        how far each pixel is from the step before's, times 8",
+      --difference        where there is more light than in the step before, and less",
             last
         );
     }
@@ -60,10 +60,11 @@ pub(super) fn help(suite: &Suite) -> String {
 
 Usage: {name} [OPTIONS]
 
-Without options it opens a window; with no display it writes {name}.png.
+Without options it opens a window; with no display it writes {name}-1.png.
 
 Options:
-  -o, --output FILE       write a PNG, open no window; a name such as a.jpg is refused
+  -o, --output FILE       write a PNG, open no window; - is standard output, and a.pfm has the
+                          light before it is encoded; a name such as a.jpg is refused
   -s, --size WxH          pixels ({size})
       --camera KIND       {cameras}
       --set NAME=VALUE    set a control, as its slider would; repeatable, applied in order
@@ -77,7 +78,8 @@ Options:
       --range LOW,HIGH    with --show, between which numbers its colours tell apart
       --curve             with --show and --pixel, the line along the pixel's row too
       --what-if LINE=V    a told line answered otherwise: 'V=1', 'L_s=0'; repeatable
-      --compare FILE      render, say how far FILE is from it and where; exit 1 if they differ;
+      --compare FILE      render, say how far FILE is from it and where; exit 1 if they differ; a
+                          PNG, PPM, BMP, TGA or JPEG, and - is standard input;
                           with -o, write expected, found and difference side by side; with --show,
                           compare a picture of that line, numbers as grey{check}{lecture}
       --language pt|en    Portuguese or English; else the system's language

@@ -6,7 +6,6 @@ use std::ops::ControlFlow;
 use anyhow::Result;
 use minifb::MouseMode;
 
-use super::key::session_key;
 use super::shell::Shell;
 use crate::Event;
 
@@ -14,7 +13,8 @@ impl Shell {
     /// Takes all keys and the mouse into account; a break when the program shall end.
     pub(super) fn input(&mut self) -> Result<ControlFlow<()>> {
         if self.saving.is_some() {
-            let is_down = |key| self.window.typed.contains(&(key, true));
+            let is_down =
+                |key| self.window.typed.iter().any(|typed| typed.key == key && typed.down);
             let controls = [minifb::Key::LeftCtrl, minifb::Key::RightCtrl];
             let quits = is_down(minifb::Key::Q) && (self.ctrl || controls.into_iter().any(is_down));
             return Ok(if quits { ControlFlow::Break(()) } else { ControlFlow::Continue(()) });
@@ -31,25 +31,23 @@ impl Shell {
             self.tell(event)?;
         }
         while self.saving.is_none() {
-            let Some((key, down)) = self.window.typed.pop_front() else {
+            let Some(typed) = self.window.typed.pop_front() else {
                 break;
             };
-            let event = match (key, down) {
-                (minifb::Key::LeftShift | minifb::Key::RightShift, down) => {
-                    self.fine = down;
-                    continue;
+            match typed.key {
+                minifb::Key::LeftShift | minifb::Key::RightShift => self.fine = typed.down,
+                minifb::Key::LeftCtrl | minifb::Key::RightCtrl => self.ctrl = typed.down,
+                minifb::Key::Q if self.ctrl && typed.down => return Ok(ControlFlow::Break(())),
+                _ if self.ctrl && typed.down => {}
+                _ => {
+                    let event = typed.session_key().map(|key| match typed.down {
+                        true => Event::Key(key, self.fine),
+                        false => Event::KeyUp(key),
+                    });
+                    if let Some(event) = event {
+                        self.tell(event)?;
+                    }
                 }
-                (minifb::Key::LeftCtrl | minifb::Key::RightCtrl, down) => {
-                    self.ctrl = down;
-                    continue;
-                }
-                (minifb::Key::Q, true) if self.ctrl => return Ok(ControlFlow::Break(())),
-                (_, true) if self.ctrl => continue,
-                (key, true) => session_key(key).map(|key| Event::Key(key, self.fine)),
-                (key, false) => session_key(key).map(Event::KeyUp),
-            };
-            if let Some(event) = event {
-                self.tell(event)?;
             }
         }
         Ok(ControlFlow::Continue(()))

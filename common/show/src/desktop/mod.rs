@@ -12,6 +12,7 @@ mod key;
 mod panicked;
 mod printed;
 mod progress;
+mod read;
 mod remembered;
 mod said;
 mod shell;

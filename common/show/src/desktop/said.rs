@@ -9,9 +9,9 @@ use anyhow::Result;
 use crate::text;
 
 /// Prints what was asked for. Whoever closes standard output early has read enough.
-pub(crate) fn print(text: &str) -> Result<()> {
+pub(crate) fn print(bytes: &[u8]) -> Result<()> {
     let mut output = io::stdout().lock();
-    match output.write_all(text.as_bytes()).and_then(|()| output.flush()) {
+    match output.write_all(bytes).and_then(|()| output.flush()) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
         written => written.context(text!("cannot write to standard output")),
     }

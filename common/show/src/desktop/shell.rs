@@ -336,7 +336,12 @@ impl Shell {
                     self.repaint = true;
                 }
                 Effect::Repaint => self.repaint = true,
-                Effect::Print(text) => print(&text)?,
+                // Who has closed or filled standard output has a window all the same.
+                Effect::Print(text) => {
+                    if let Err(error) = print(text.as_bytes()) {
+                        report(self.name, &file::told(&error));
+                    }
+                }
                 // A session says that in its window.
                 Effect::Say(_) => {}
                 Effect::Save => {

@@ -112,6 +112,6 @@ pub(super) fn check(suite: &Suite, tours: Vec<Tour>) -> Result<bool> {
         let count = tour.stops.len();
         text += &text!("{title}: {count} stops looked at\n", title = tour.title, count);
     }
-    print(&text)?;
+    print(text.as_bytes())?;
     Ok(right)
 }

@@ -19,6 +19,9 @@ use minifb::MouseButton;
 use minifb::ScaleMode;
 use minifb::WindowOptions;
 
+use super::key::Keyboard;
+use super::key::Told;
+use super::key::Typed;
 use crate::Size;
 use crate::pack;
 use crate::text;
@@ -72,9 +75,10 @@ impl FromStr for Place {
 /// A window without content yet.
 pub(super) struct Window {
     pub(super) window: minifb::Window,
-    keys: Receiver<(minifb::Key, bool)>,
+    told: Receiver<Told>,
+    keyboard: Keyboard,
     /// Keys pressed and released, to be dealt with.
-    pub(super) typed: VecDeque<(minifb::Key, bool)>,
+    pub(super) typed: VecDeque<Typed>,
     /// Whether the mouse button is down.
     pub(super) pressed: bool,
     /// Notches of the wheel, to be dealt with.
@@ -91,14 +95,16 @@ pub(super) struct Window {
     opened: Instant,
 }
 
-struct Keys(Sender<(minifb::Key, bool)>);
+struct Keys(Sender<Told>);
 
+// The receiver is gone only when the window closes.
 impl InputCallback for Keys {
-    fn add_char(&mut self, _: u32) {}
+    fn add_char(&mut self, character: u32) {
+        let _ = char::from_u32(character).map(|character| self.0.send(Told::Char(character)));
+    }
 
     fn set_key_state(&mut self, key: minifb::Key, down: bool) {
-        // The receiver is gone only when the window closes.
-        let _ = self.0.send((key, down));
+        let _ = self.0.send(Told::Key(key, down));
     }
 }
 
@@ -135,14 +141,15 @@ impl Window {
         }
         // Who has something to do must not wait, and who has nothing sleeps by itself.
         window.set_target_fps(0);
-        let (sender, keys) = mpsc::channel();
+        let (sender, told) = mpsc::channel();
         window.set_input_callback(Box::new(Keys(sender)));
         let (shown, spare) = (Vec::new(), Vec::new());
         let (sent, cost) = (Instant::now(), Duration::ZERO);
         let typed = VecDeque::new();
         Ok(Self {
             window,
-            keys,
+            told,
+            keyboard: Keyboard::default(),
             typed,
             pressed: false,
             wheel: 0.0,
@@ -193,7 +200,9 @@ impl Window {
     /// Takes what the last look has found. minifb asks for the mouse's place before it looks for
     /// anything else, so only the next look knows where the mouse was then.
     fn keep(&mut self) {
-        self.typed.extend(self.keys.try_iter());
+        for told in self.told.try_iter() {
+            self.keyboard.hear(told, &mut self.typed);
+        }
         self.pressed = self.window.get_mouse_down(MouseButton::Left);
     }
 
@@ -226,6 +235,13 @@ impl Window {
 /// Why there is no window, in one line.
 fn reason(error: minifb::Error) -> anyhow::Error {
     let text = error.to_string();
+    // It looks for them when it runs, and would say where in four hundred letters.
+    if text.contains("failed to load X") {
+        return anyhow!(text!(
+            "the libraries libX11 and libXcursor are missing: sudo apt install libx11-6 libxcursor1, \
+             or sudo dnf install libX11 libXcursor"
+        ));
+    }
     if !text.contains("XOpenDisplay") {
         return anyhow!("{}", text.lines().next().unwrap_or_default().to_owned());
     }

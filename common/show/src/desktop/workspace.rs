@@ -3,10 +3,12 @@
 use std::env;
 use std::ffi::OsString;
 use std::fs;
+use std::io;
+use std::io::IsTerminal;
+use std::io::Write;
 use std::path::Path;
 use std::path::PathBuf;
 use std::process::Command;
-use std::process::Stdio;
 use std::time::SystemTime;
 
 use anyhow::Context;
@@ -53,9 +55,12 @@ impl Workspace {
     ///
     /// When it does not compile, or there is no cargo.
     pub fn build(&self, name: &str) -> Result<PathBuf> {
-        let built = self.cargo(name).stderr(Stdio::inherit()).output();
+        let colors = if io::stderr().is_terminal() { "always" } else { "never" };
+        let built = self.cargo(name).args(["--color", colors]).output();
         let built = built.context(text!("cannot run cargo, which has to build the other step"))?;
         if !built.status.success() {
+            // Warnings of what compiles would stand above the answer.
+            let _ = io::stderr().write_all(&built.stderr);
             bail!(text!(
                 "{name} does not compile: what cargo says of it stands above; begin with the first",
                 name

@@ -1,11 +1,13 @@
 //! A step's own law, with the numbers of a pixel below its symbols.
 
+use std::cell::RefCell;
+
 use super::Boxed;
 use super::Letters;
 use super::Math;
-use super::boxes::Style;
 use super::latex;
 use super::plain;
+use super::setting::Style;
 use super::symbols;
 use crate::Ink;
 use crate::rounded;
@@ -55,7 +57,7 @@ pub(crate) fn symbol(line: &Line) -> Math {
 
 /// The colour of the symbol that a line gives a value to, if it has one of its own.
 pub fn ink_of(line: &Line) -> Option<Ink> {
-    super::boxes::ink(&symbol(line).key())
+    super::setting::ink(&symbol(line).key())
 }
 
 /// What a line tells, as a slide has it.
@@ -94,9 +96,17 @@ impl Law {
         Some(numbers.clone())
     }
 
-    /// What has numbers of its own in it.
-    pub fn told(&self) -> impl Iterator<Item = &str> {
-        self.told.iter().map(|(key, _)| key.as_str())
+    /// The [`key`](Math::key) of each part that has numbers.
+    pub fn told(&self) -> Vec<String> {
+        let found = RefCell::new(Vec::new());
+        let numbers = |key: &str| {
+            let numbers = self.numbers(key);
+            found.borrow_mut().extend(numbers.is_some().then(|| key.to_owned()));
+            numbers
+        };
+        let style = Style { size: 1.0, large: true, within: false, numbers: Some(&numbers) };
+        self.equations.iter().for_each(|equation| drop(style.set(equation)));
+        found.into_inner()
     }
 
     /// Sets its equations below each other, within `width` and `height`: as large as `size`, broken before
@@ -127,7 +137,10 @@ impl Law {
         let mut first = (0.0, 0.0);
         for equation in &self.equations {
             let whole = style.set(equation);
-            let lines = if whole.width <= width { vec![whole] } else { broken(style, equation) };
+            let lines = match whole.width <= width {
+                true => vec![whole],
+                false => terms(equation).iter().map(|term| style.set(term)).collect(),
+            };
             for (place, line) in lines.into_iter().enumerate() {
                 let beside = left + 1.2 * style.size;
                 // What fits stands beside the one before.
@@ -155,28 +168,23 @@ impl Law {
     }
 }
 
-/// An equation in lines, a new one from each + on that is not within round brackets.
-fn broken(style: Style<'_>, equation: &Math) -> Vec<Boxed> {
-    let mut flat = Vec::new();
+/// An equation in parts, a new one from each + on that is not within round brackets: where there is no
+/// room for all of it they stand below each other.
+pub fn terms(equation: &Math) -> Vec<Math> {
+    let mut terms: Vec<Vec<Math>> = vec![Vec::new()];
+    let mut add = |part: &Math| match terms.last_mut() {
+        Some(term) if *part != Math::Sign('+') || term.is_empty() => term.push(part.clone()),
+        _ => terms.push(vec![part.clone()]),
+    };
     for part in equation.parts() {
         match part {
-            Math::Fence('[', inside, ']') => {
-                flat.push(Math::Sign('['));
-                flat.extend(inside.parts().iter().cloned());
-                flat.push(Math::Sign(']'));
+            Math::Fence('[', inside, ']') if inside.parts().contains(&Math::Sign('+')) => {
+                add(&Math::Sign('['));
+                inside.parts().iter().for_each(&mut add);
+                add(&Math::Sign(']'));
             }
-            part => flat.push(part.clone()),
+            part => add(part),
         }
     }
-    let mut lines: Vec<Vec<Math>> = vec![Vec::new()];
-    for part in flat {
-        let breaks = part == Math::Sign('+') && lines.last().is_some_and(|line| !line.is_empty());
-        if breaks {
-            lines.push(Vec::new());
-        }
-        if let Some(line) = lines.last_mut() {
-            line.push(part);
-        }
-    }
-    lines.iter().map(|line| style.row(line)).collect()
+    terms.into_iter().map(Math::Row).collect()
 }

@@ -8,7 +8,7 @@ type Place<'a> = &'a mut dyn FnMut(&str, bool) -> Option<String>;
 /// `math` in MathML, with what `place` says under its parts.
 pub fn mathml(math: &Math, display: bool, place: Place<'_>) -> String {
     let display = if display { " display=\"block\"" } else { "" };
-    format!("<math{display}>{}</math>", part(math, place))
+    format!("<math{display}>{}</math>", row(math.parts(), place))
 }
 
 fn escaped(text: &str) -> String {
@@ -53,11 +53,15 @@ fn row(parts: &[Math], place: Place<'_>) -> String {
 fn part(math: &Math, place: Place<'_>) -> String {
     match math {
         Math::Row(parts) => format!("<mrow>{}</mrow>", row(parts, place)),
-        Math::Symbol(letter) => format!("<mi mathvariant=\"normal\">{letter}</mi>"),
+        Math::Symbol(letter) => format!("<mi>{letter}</mi>"),
         Math::Word(word) if word.chars().all(|digit| digit.is_ascii_digit() || digit == '.') => {
             format!("<mn>{word}</mn>")
         }
-        Math::Word(word) => format!("<mi mathvariant=\"normal\">{}</mi>", escaped(word)),
+        Math::Word(word) => format!("<mi>{}</mi>", escaped(word)),
+        // What it belongs to may stand on another line.
+        Math::Sign(sign @ ('[' | ']')) => format!("<mo stretchy=\"false\">{sign}</mo>"),
+        // Also where a line begins with it.
+        Math::Sign('+') => "<mo form=\"infix\">+</mo>".to_owned(),
         Math::Sign(sign) => format!("<mo>{}</mo>", escaped(&sign.to_string())),
         Math::Space(ems) => format!("<mspace width=\"{ems}em\"></mspace>"),
         Math::Fraction(above, below) => {
@@ -76,7 +80,11 @@ fn part(math: &Math, place: Place<'_>) -> String {
                 (_, None, _) => "msup",
                 (_, Some(_), Some(_)) => "msubsup",
             };
-            format!("<{name}>{}{below}{above}</{name}>", one(base, &mut |_, _| None))
+            let base = match **base {
+                Math::Fence(..) => one(base, place),
+                _ => one(base, &mut |_, _| None),
+            };
+            format!("<{name}>{base}{below}{above}</{name}>")
         }
         Math::Fence(open, inside, close) => {
             let high = *open == '[' || inside.is_high();
@@ -102,5 +110,8 @@ fn part(math: &Math, place: Place<'_>) -> String {
 
 /// As one element.
 fn one(math: &Math, place: Place<'_>) -> String {
-    part(&Math::Row(math.parts().to_vec()), place)
+    match row(math.parts(), place) {
+        text if math.parts().len() == 1 => text,
+        text => format!("<mrow>{text}</mrow>"),
+    }
 }

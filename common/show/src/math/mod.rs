@@ -8,6 +8,7 @@ mod boxes;
 mod law;
 mod markup;
 mod read;
+mod setting;
 mod symbols;
 
 pub use boxes::Boxed;
@@ -16,6 +17,7 @@ pub use law::ink_of;
 pub use law::law_name;
 pub use law::laws;
 pub(crate) use law::symbol;
+pub use law::terms;
 pub use law::typeset;
 pub use markup::mathml;
 pub use read::Letters;

@@ -31,6 +31,8 @@ pub(super) struct Told<'a> {
     pub(super) program: Option<&'a Program>,
     /// Of several lights the one that is chosen.
     pub(super) light: Option<&'a str>,
+    /// The line that keys act on, which is folded away in nothing but by hand.
+    pub(super) line: Option<&'a LineName>,
     /// The line that is shown as a picture.
     pub(super) shown: Option<&'a LineName>,
     /// What is answered otherwise.
@@ -59,7 +61,7 @@ impl Told<'_> {
         let mut rows = vec![Row::Pixel { text: format!("({col}, {row}): {r}, {g}, {b}"), rgb }];
         for (place, section) in told.scopes().rev().enumerate() {
             let fold = Fold::Section(section.name);
-            let open = self.is_open(fold, place == 0);
+            let open = self.is_open(fold, place == 0 || self.has_line(section, told));
             let new = !open && self.has_new(section.name, section);
             rows.push(heading(fold, translated(section.name).to_owned(), None, open, new));
             if open {
@@ -85,6 +87,16 @@ impl Told<'_> {
             (None, Some(program)) => program.explains(line),
             (None, None) => false,
         }
+    }
+
+    fn is_line(&self, name: &Option<LineName>) -> bool {
+        name.is_some() && self.line == name.as_ref()
+    }
+
+    fn has_line(&self, scope: &Scope, around: &Scope) -> bool {
+        let mut lines = named_lines(scope, around).into_iter();
+        lines.any(|(_, name)| self.is_line(&name))
+            || scope.scopes().any(|inner| self.has_line(inner, scope))
     }
 
     fn has_new(&self, section: &str, scope: &Scope) -> bool {
@@ -116,7 +128,7 @@ impl Told<'_> {
         }
         if misses.len() > 1 {
             let fold = Fold::Missed(section);
-            let open = self.is_open(fold, false);
+            let open = self.is_open(fold, misses.iter().any(|inner| self.has_line(inner, scope)));
             let names = counted(misses.iter().map(|scope| translated(scope.name)));
             let text = text!("{count} missed: {names}", count = misses.len(), names);
             rows.push(heading(fold, text, None, open, false));
@@ -127,7 +139,7 @@ impl Told<'_> {
         if !old.is_empty() {
             let fold = Fold::Old(section, place.groups);
             place.groups += 1;
-            let open = self.is_open(fold, false);
+            let open = self.is_open(fold, old.iter().any(|(_, name)| self.is_line(name)));
             let lines: Vec<&Line> = old.iter().map(|(line, _)| *line).collect();
             let known = text!("from before").to_owned();
             rows.push(heading(fold, known, Some(results(&lines)), open, false));
@@ -169,14 +181,11 @@ impl Told<'_> {
             Outcome::Missed(why, _) => (false, Some(plain_word(translated(why)))),
             Outcome::Closest(at) => {
                 let nearest = text!("{t}, nearest", t = t(at));
-                (
-                    place.section != "intersection" || self.program.is_none(),
-                    Some(plain_word(&nearest)),
-                )
+                (self.program.is_none(), Some(plain_word(&nearest)))
             }
             Outcome::Farther(at) => (false, Some(plain_word(&t(at)))),
         };
-        let open = self.is_open(fold, usually);
+        let open = self.is_open(fold, usually || self.has_line(scope, around));
         let result = result.filter(|_| !open || scope.outcome != Outcome::Told);
         rows.push(heading(fold, name, result, open, has_new && !open));
         if open {

@@ -168,7 +168,10 @@ impl Session {
     pub(super) fn wheel(&mut self, notches: f32) {
         let at = self.pointer;
         let lines = -SCROLL * notches;
-        if let Some(panel) = self.reading_panel().filter(|panel| panel.area().contains(at)) {
+        // Over the law too, which stays where it is.
+        let reading = self.layout().beside.and_then(|beside| beside.reading);
+        let is_read = |at| reading.is_some_and(|area| area.contains(at));
+        if let Some(panel) = self.reading_panel().filter(|_| is_read(at)) {
             self.reading_scroll = panel.scroll() + lines;
             return self.ask(Effect::Repaint);
         }

@@ -107,6 +107,8 @@ impl Session {
             effects: Vec::new(),
         };
         session.select_first();
+        session.unfold();
+        session.scroll_reading();
         session
     }
 
@@ -363,9 +365,14 @@ impl Session {
         }
     }
 
-    /// Begins what is read at its top, or, where that is farther down, at what this step tells anew.
+    /// Begins what is read at its top, or, where that is farther down, at what this step tells anew; code
+    /// at that of the stop's slide.
     fn scroll_reading(&mut self) {
-        self.reading_scroll = self.reading_panel().map_or(0.0, |panel| panel.scroll_to_new());
+        let slide = self.desk.stop().map(|(_, stop)| &*stop.slide);
+        self.reading_scroll = self.reading_panel().map_or(0.0, |panel| {
+            let of_slide = slide.and_then(|slide| panel.scroll_to_slide(slide));
+            of_slide.unwrap_or_else(|| panel.scroll_to_new())
+        });
     }
 
     fn has_reading(&self) -> bool {

@@ -100,6 +100,25 @@ impl Panel {
         self.scroll.max(least).min(place.top) / self.em
     }
 
+    /// How far it has to be scrolled, in ems, for the code to begin that says it is this slide's; none
+    /// where no code does.
+    pub(super) fn scroll_to_slide(&self, slide: &str) -> Option<f32> {
+        let slide = format!("«{slide}");
+        let comment = |row: &Row| match row {
+            Row::Code(code) => code.line.text.trim().strip_prefix("///").map(str::to_owned),
+            _ => None,
+        };
+        // A title may go on in the next line.
+        let comments: Vec<Option<String>> = self.rows.iter().map(comment).collect();
+        let names = |pair: &[Option<String>]| {
+            let whole: String = pair.iter().flatten().map(String::as_str).collect();
+            pair[0].is_some() && whole.contains(&slide)
+        };
+        let named = comments.windows(2).position(names)?;
+        let first = comments[..named].iter().rposition(Option::is_none).map_or(0, |row| row + 1);
+        Some(self.places[first].top / self.em)
+    }
+
     /// How far it has to be scrolled, in ems, for something new to be seen: not at all where there
     /// is none, or where some can be seen as it is.
     pub(super) fn scroll_to_new(&self) -> f32 {
@@ -119,6 +138,11 @@ impl Panel {
         let (inner, place) = (self.inner(), self.places[row]);
         let top = (inner.top + place.top - self.scroll).round();
         Area { left: inner.left + place.left, top, ..place }
+    }
+
+    /// The rows that can be seen.
+    pub(super) fn seen(&self) -> impl Iterator<Item = &Row> {
+        (0..self.rows.len()).filter(|row| self.is_seen(*row)).map(|row| &self.rows[row])
     }
 
     /// Whether all of a row can be seen, or it is higher than that.

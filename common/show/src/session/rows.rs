@@ -19,6 +19,7 @@ use crate::CodeLine;
 use crate::CodePart;
 use crate::Group;
 use crate::Letters;
+use crate::Math;
 use crate::Reading;
 use crate::code::file_name;
 use crate::desk::table;
@@ -94,8 +95,10 @@ impl Session {
                     Told {
                         explanation: &explanation,
                         before: before.as_ref(),
-                        program: Some(self.desk.in_sight().0),
+                        program: Some(self.desk.in_sight().0)
+                            .filter(|program| !program.handout.is_empty()),
                         light: self.desk.setup().chosen("light"),
+                        line: self.desk.line(),
                         shown: self.desk.shown_line(),
                         what_ifs: self.desk.what_ifs(),
                         folds: &self.folds,
@@ -152,6 +155,26 @@ impl Session {
             rows.append(&mut rest);
         }
         rows
+    }
+
+    /// What is read of the pinned pixel without scrolling: what has numbers in the law, if all of that has
+    /// its place, then each row's equation, or its words with what they come to.
+    pub fn read_at_once(&self) -> Vec<String> {
+        let law = self.law().filter(|(law, area)| {
+            law.width <= area.width && law.height() <= area.height && self.desk.pin().is_some()
+        });
+        let law = law.map_or(Vec::new(), |_| self.desk.law().told());
+        let rows = self.reading_panel().map_or(Vec::new(), |panel| {
+            let read = |row: &Row| match row {
+                Row::Line { equation, .. } => Some(equation.key()),
+                Row::Heading { text, value, .. } => {
+                    Some(text.clone() + &value.as_ref().map_or(String::new(), Math::key))
+                }
+                _ => None,
+            };
+            panel.seen().filter_map(read).collect()
+        });
+        [law, rows].concat()
     }
 
     /// What stands where a pixel's explanation will.

@@ -84,6 +84,7 @@ impl Session {
                 before: None,
                 program: None,
                 light: None,
+                line: None,
                 shown: None,
                 what_ifs: self.desk.what_ifs(),
                 folds: &folds,
