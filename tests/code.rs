@@ -301,8 +301,8 @@ fn what_is_pointed_at_in_the_picture_is_chosen_in_the_code() {
     let picture = session.picture_area();
     assert!(picture.width >= 0.4 * 1280.0, "the picture keeps its room: {picture:?}");
     let mut chosen = BTreeSet::new();
-    for row in (0..picture.height as usize).step_by(6) {
-        for col in (0..picture.width as usize).step_by(6) {
+    for row in (0..picture.height as usize).step_by(8) {
+        for col in (0..picture.width as usize).step_by(8) {
             session.handle(Event::Move(col as f32, row as f32));
             if let Some(line) = session.desk().line() {
                 chosen.insert((line.equation.clone(), line.of.clone()));
@@ -326,6 +326,20 @@ fn what_is_pointed_at_in_the_picture_is_chosen_in_the_code() {
     let mut image = RgbImage::new(1280, 720);
     session.paint(&mut image, &[], "");
     assert!(bar(&image) > Some(15), "{:?}", session.desk().line());
+    // Of several lines beside one of code each can be pointed at.
+    while session.desk().line().is_none_or(|line| line.equation != "V") {
+        typed(&mut session, "J");
+    }
+    let mut chosen = BTreeSet::new();
+    for row in (0..720).step_by(12) {
+        for col in (1000..1280).step_by(40) {
+            session.handle(Event::Move(col as f32, row as f32));
+            chosen.extend(session.desk().line().map(|line| line.equation.clone()));
+        }
+    }
+    for equation in ["shadow ray's d", "blocked by", "V"] {
+        assert!(chosen.contains(equation), "{equation}: {chosen:?}");
+    }
 }
 
 #[test]

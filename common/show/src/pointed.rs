@@ -32,11 +32,9 @@ struct Seen {
 
 /// Marks the chosen line in the picture, whose lines are `width` wide.
 pub(crate) fn draw_chosen(desk: &Desk, canvas: &mut Canvas<'_>, sight: &Sight<'_>, width: f32) {
-    let Some((chosen, explanation)) =
-        desk.line().zip(desk.explanation().filter(|_| desk.vectors()))
-    else {
-        return;
-    };
+    let chosen = desk.line().or(desk.shown_line());
+    let told = desk.explanation().filter(|_| desk.vectors());
+    let Some((chosen, explanation)) = chosen.zip(told) else { return };
     for Seen { line, strokes } in seen(sight, &explanation) {
         if line == *chosen {
             for (from, to) in strokes {

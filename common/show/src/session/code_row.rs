@@ -70,10 +70,42 @@ struct Placed {
     height: f32,
 }
 
+impl Placed {
+    /// Of each note, the last one first, where it is, its equation, and where its letters stand: the last
+    /// one of a row ends at the right.
+    fn spots(&self, area: Area, em: f32) -> Vec<(Area, Option<&Boxed>, f32)> {
+        let letter = CodeFont::width(em, "0");
+        let (mut row, mut right) = (usize::MAX, area.right());
+        let mut spots = Vec::new();
+        for (on, equation, width) in self.notes.iter().rev() {
+            if *on != row {
+                (row, right) = (*on, area.right());
+            }
+            let baseline = area.top + self.baselines[row];
+            let top = baseline - BASELINE * em;
+            let spot = Area::new(right - width, top, *width, LINE * em);
+            right -= width + letter;
+            spots.push((spot, equation.as_ref(), baseline));
+        }
+        spots
+    }
+}
+
 impl CodeRow {
-    /// The name of the line told there that is the one `chosen`, or the first one's.
+    /// The name of the first line that is told there.
     pub(super) fn name(&self) -> Option<&LineName> {
         self.notes.iter().find_map(|note| note.name.as_ref())
+    }
+
+    /// The name of the line whose numbers are at a place of `area`, or of the first one.
+    pub(super) fn name_at(&self, area: Area, em: f32, at: (f32, f32)) -> Option<&LineName> {
+        let placed = self.placed(em, area.width);
+        let notes = self.notes.iter().rev();
+        let spots =
+            placed.spots(area, em).into_iter().filter(|(_, equation, _)| equation.is_some());
+        let is_there = |(_, (spot, ..)): &(&Note, (Area, Option<&Boxed>, f32))| spot.contains(at);
+        let note = notes.zip(spots).find(is_there).map(|(note, _)| note);
+        note.and_then(|note| note.name.as_ref()).or(self.name())
     }
 
     /// Whether the line is told there.
@@ -142,7 +174,8 @@ impl CodeRow {
     }
 
     pub(super) fn draw(&self, canvas: &mut Canvas<'_>, area: Area, em: f32) {
-        let Placed { pieces, notes, baselines, .. } = self.placed(em, area.width);
+        let placed = self.placed(em, area.width);
+        let Placed { pieces, baselines, .. } = &placed;
         let letter = CodeFont::width(em, "0");
         let left = area.left + self.gutter(em);
         let baseline = |row: usize| area.top + baselines[row];
@@ -154,26 +187,18 @@ impl CodeRow {
             let at = (left + *indent as f32 * letter, baseline(row) - BASELINE * em);
             self.draw_piece(canvas, at, em, bytes.clone());
         }
-        // The last one of a row ends at the right.
-        let (mut row, mut right) = (usize::MAX, area.right());
         let mut values = self.notes.iter().rev();
-        for (on, equation, width) in notes.into_iter().rev() {
-            if on != row {
-                (row, right) = (on, area.right());
-            }
-            let at = (right, baseline(row));
-            right -= width + letter;
+        for (spot, equation, baseline) in placed.spots(area, em) {
             match (equation, self.file) {
                 (Some(equation), _) => {
                     if let Some(note) = values.next() {
-                        let left = (at.0 - width, at.1);
                         let ink = if self.line.is_idle { IDLE } else { FAINT };
-                        equation.draw(canvas, left, ink, self.line.is_idle);
-                        note.draw(canvas, at, em, self.line.is_idle);
+                        equation.draw(canvas, (spot.left, baseline), ink, self.line.is_idle);
+                        note.draw(canvas, (spot.right(), baseline), em, self.line.is_idle);
                     }
                 }
                 (None, Some(file)) => {
-                    let at = (at.0, at.1 - BASELINE * em);
+                    let at = (spot.right(), baseline - BASELINE * em);
                     canvas.text(at, Anchor::TopRight, em, ACCENT, file);
                 }
                 (None, None) => {}

@@ -171,7 +171,13 @@ impl Panel {
             // A little beyond its ends too, which are hard to hit.
             let near = slider.left - 0.5 * self.em..slider.right() + 0.5 * self.em;
             let on = matches!(self.rows[row], Row::Control(_)) && near.contains(&at.0);
-            (self.rows[row].target(), on)
+            let target = match &self.rows[row] {
+                Row::Code(code) => code
+                    .name_at(self.row_area(row), self.em, at)
+                    .map_or(Target::Nothing, |name| Target::Line(name.clone())),
+                other => other.target(),
+            };
+            (target, on)
         }))
     }
 

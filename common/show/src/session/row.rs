@@ -102,7 +102,7 @@ pub(super) enum Row {
     Code(CodeRow),
     /// An equation that stands alone.
     Equation(Math),
-    /// A paragraph, indented as far as it begins with spaces, behind its `+` or `-` too.
+    /// A paragraph, indented where it begins with spaces.
     Text(String, Ink),
 }
 
@@ -169,7 +169,7 @@ impl Row {
             }
             Self::Listed(text, _) => lines(Font::wrap(em, text, width).len()) + 0.3 * em,
             Self::Text(text, _) => {
-                let (_, indent, text) = indented(text, em);
+                let (indent, text) = indented(text, em);
                 lines(Font::wrap(em, text, width - indent).len())
             }
         }
@@ -192,7 +192,7 @@ impl Row {
                 canvas.text_within(at, Anchor::Left, em, ink, text, width);
                 if let Some(value) = value {
                     let rest = width - Font::width(em, text) - 0.5 * em;
-                    let set = Boxed::within(value, 0.9 * em, rest.max(em));
+                    let set = beginning(value, 0.9 * em, rest.max(em));
                     set.draw(canvas, (right.0 - set.width, middle.1 + 0.3 * em), TEXT, false);
                 }
             }
@@ -239,13 +239,27 @@ impl Row {
             }
             Self::Code(code) => code.draw(canvas, area, em),
             Self::Text(text, ink) => {
-                let (sign, indent, text) = indented(text, em);
-                canvas.text(area.at(Anchor::TopLeft), Anchor::TopLeft, em, *ink, sign);
+                let (indent, text) = indented(text, em);
                 let (left, width) = (area.left + indent, area.width - indent);
                 draw_text(canvas, Area { left, width, ..area }, em, *ink, text);
             }
         }
     }
+}
+
+/// As much of a list as there is room for.
+fn beginning(list: &Math, em: f32, width: f32) -> Boxed {
+    let parts = list.parts();
+    let ends =
+        (0..=parts.len()).rev().filter(|end| *end == parts.len() || parts[*end] == Math::Sign(','));
+    let mut sets = ends.map(|end| {
+        let begun = Math::Row(parts[..end].to_vec());
+        let set = Boxed::inline(&begun, em);
+        (begun, set)
+    });
+    let fits = sets.find(|(_, set)| 0.8 * set.width <= width);
+    let begun = fits.map_or_else(|| list.clone(), |(begun, _)| begun);
+    Boxed::within(&begun, em, width)
 }
 
 /// Where the slider of a control is, in the area of its row.
@@ -299,12 +313,10 @@ impl Columns {
     }
 }
 
-/// The sign at the start of a paragraph, how far the rest is indented in pixels, and the rest.
-fn indented(text: &str, em: f32) -> (&str, f32, &str) {
-    let (sign, rest) = text.split_at(usize::from(text.starts_with(['+', '-', ' '])));
-    let spaces = rest.len() - rest.trim_start().len();
-    let gutter = if sign.is_empty() { 0.0 } else { 0.8 * em };
-    (sign, gutter + 0.2 * em * spaces as f32, rest.trim_start())
+/// How far a paragraph is indented in pixels, and the paragraph.
+fn indented(text: &str, em: f32) -> (f32, &str) {
+    let indent = if text.starts_with(' ') { em } else { 0.0 };
+    (indent, text.trim_start())
 }
 
 /// The mark of what can be folded: a triangle that points down where it is open.
