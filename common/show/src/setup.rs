@@ -162,32 +162,6 @@ impl Setup {
         (self.step, self.view) = (step, view);
     }
 
-    /// Whether there is a way to `other`, which is made alike: something is another, and only numbers are.
-    pub(crate) fn is_near(&self, other: &Self) -> bool {
-        let pairs = self.controls.iter().zip(&other.controls);
-        let mut others = pairs.filter(|(from, to)| from.value != to.value).peekable();
-        let same = self.controls.len() == other.controls.len() && others.peek().is_some();
-        same && others.all(|(from, _)| !from.is_whole())
-    }
-
-    /// As much of the way to `other` as `part` says, 0 to 1.
-    pub(crate) fn between(&self, other: &Self, part: f32) -> Self {
-        let mut now = Self::new(other.make.clone());
-        let pairs = self.controls.iter().zip(&other.controls);
-        let change = |(from, to): (&Control, &Control)| Change {
-            of: to.of,
-            name: to.name.clone(),
-            value: if from.value == to.value {
-                to.value
-            } else {
-                to.nearest(from.value + part * (to.value - from.value))
-            },
-        };
-        now.changes = pairs.map(change).collect();
-        now.remake();
-        now
-    }
-
     /// All controls in the order in which the lecture adds them, the camera's last.
     pub fn list(&self) -> Vec<Setting> {
         let pairs = self.controls.iter().zip(&self.start);

@@ -4,6 +4,7 @@ use super::Compare;
 use super::Desk;
 use super::Effect;
 use super::Refusal;
+use crate::Setting;
 use crate::Setup;
 
 /// Where the pictures come from, and where they are.
@@ -21,9 +22,11 @@ impl Desk {
             through && desk.compare == Compare::Off && desk.is_plain()
         };
         let same = self.current == from.current && self.picture == from.picture;
-        let same = same && from.way.at.is_some();
-        if same && is_still(self) && is_still(&from) && from.setup.is_near(&self.setup) {
-            let now = from.setup.between(&self.setup, 0.0);
+        let changes = changes(&from.setup, &self.setup);
+        let jumps = changes.iter().any(|(to, _)| to.control.is_whole());
+        let is_near = same && from.way.at.is_some() && !changes.is_empty() && !jumps;
+        if is_near && is_still(self) && is_still(&from) {
+            let now = self.on_the_way(&from.setup, 0.0);
             self.glide = Some(Glide { from: from.setup, now });
             self.ask(Effect::Glide);
         }
@@ -40,11 +43,29 @@ impl Desk {
             if part < 1.0 {
                 // Slow at both ends.
                 let part = part.max(0.0);
-                let now = from.between(&self.setup, part * part * (3.0 - 2.0 * part));
+                let now = self.on_the_way(&from, part * part * (3.0 - 2.0 * part));
                 self.glide = Some(Glide { from, now });
             }
             self.ask(Effect::Redraw);
         }
         Ok(())
     }
+
+    /// As much of the way from `from` as `part` says, 0 to 1.
+    fn on_the_way(&self, from: &Setup, part: f32) -> Setup {
+        let mut now = self.setup.carried_to(self.program().make.clone());
+        for (Setting { name, control, .. }, start) in changes(from, &self.setup) {
+            let value = control.nearest(start + part * (control.value - start));
+            // It is in the control's range.
+            let _ = now.set(&name, &value.to_string());
+        }
+        now
+    }
+}
+
+/// The controls of `to` that have another value in `from`, which is made alike, and that value.
+fn changes(from: &Setup, to: &Setup) -> Vec<(Setting, f32)> {
+    let pairs = to.list().into_iter().zip(from.list());
+    let pairs = pairs.map(|(to, from)| (to, from.control.value));
+    pairs.filter(|(to, start)| to.control.value != *start).collect()
 }

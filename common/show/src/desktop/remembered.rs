@@ -4,6 +4,7 @@ use std::env;
 use std::fs;
 use std::path::PathBuf;
 
+use super::shell::Shell;
 use crate::Size;
 
 /// Where a class was, in one small file of the user's.
@@ -51,5 +52,19 @@ impl Remembered {
         let size = self.size.map(|size| size.to_string()).unwrap_or_default();
         let text = format!("{}\n{size}\n{}\n", self.stop, self.tour);
         let _ = fs::create_dir_all(&folder).and_then(|()| fs::write(folder.join("class"), text));
+    }
+}
+
+impl Shell {
+    /// Remembers where the class is, for a next time.
+    pub(super) fn remember(&mut self) {
+        let desk = self.session.desk();
+        let Some((number, _)) = desk.stop() else { return };
+        self.begun = self.begun.filter(|begun| *begun == number);
+        let stop = if self.begun.is_some() { self.remembered.stop } else { number };
+        if (self.remembered.stop, self.remembered.size) != (stop, Some(self.size)) {
+            (self.remembered.stop, self.remembered.size) = (stop, Some(self.size));
+            self.remembered.write();
+        }
     }
 }

@@ -366,18 +366,6 @@ impl Shell {
         Ok(())
     }
 
-    /// Remembers where the class is, for a next time.
-    fn remember(&mut self) {
-        let desk = self.session.desk();
-        let Some((number, _)) = desk.stop() else { return };
-        self.begun = self.begun.filter(|begun| *begun == number);
-        let stop = if self.begun.is_some() { self.remembered.stop } else { number };
-        if (self.remembered.stop, self.remembered.size) != (stop, Some(self.size)) {
-            (self.remembered.stop, self.remembered.size) = (stop, Some(self.size));
-            self.remembered.write();
-        }
-    }
-
     /// Goes on with the picture that is to be saved, and saves it if it is complete.
     fn save(&mut self) -> Result<()> {
         let Some(mut drawings) = self.saving.take() else {
