@@ -19,7 +19,8 @@ use crate::protocol::Asked;
 use crate::scripts;
 
 /// What the page has in it as the steps' program.
-const WASM: &[u8] = b"no program";
+const WASM: &[u8] =
+    concat!("no program, but Controls", include_str!("../common/show/src/pt-BR.po")).as_bytes();
 
 pub(crate) static HTML: LazyLock<String> =
     LazyLock::new(|| lecture::html(WASM, &[]).expect("the page is written"));
@@ -217,7 +218,12 @@ fn all_of_it_is_there_and_nothing_is_elsewhere() {
     let packed = bytes_of(letters);
     let mut program = Vec::new();
     GzDecoder::new(&*packed).read_to_end(&mut program).expect("it is packed");
-    assert!(program == WASM);
+    assert_eq!(program.len(), WASM.len());
+    // Of the catalogue it has what it says.
+    let program = String::from_utf8(program).expect("it is text");
+    let (before, catalogue) = program.split_at(program.find("Controls").expect("it is said") + 8);
+    let said = ["\nmsgid \"Controls\"\nmsgstr", "msgid \"Keys\""].map(|it| catalogue.contains(it));
+    assert_eq!((before, said), ("no program, but Controls", [true, false]));
 }
 
 #[test]

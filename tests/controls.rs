@@ -73,7 +73,7 @@ fn every_control_changes_the_picture_and_no_other_does_the_same() {
 
 #[test]
 fn what_is_shown_is_taken_and_what_is_not_taken_changes_nothing() {
-    let refused = "nan; -nan; inf; -inf; 1e30; -1e30; ; five; 0x1; 1,5; On";
+    let refused = "nan; -nan; inf; -inf; 1e30; -1e30; ; five; 0x1; 1,2,3; 1.2.3; On";
     for (index, Setting { name, control, .. }) in every_control() {
         let mut setup = setup(index);
         let start = setup.list();
@@ -178,6 +178,7 @@ fn sliders_stand_where_their_value_is_and_give_numbers_that_can_be_typed() {
     }
     let choice = control(Kind::Choice(&["a", "b one", "c"]), 0.0);
     assert_eq!(choice.read("b one"), Ok(1.0), "a whole name is taken too");
+    assert_eq!(control(Kind::Number(-2.0..=6.0), 0.0).read("1,5"), Ok(1.5), "a decimal comma");
 }
 
 const THIRD: f32 = 1.0 / 3.0;

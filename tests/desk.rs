@@ -162,6 +162,15 @@ fn what_an_address_cannot_show_is_said_in_few_words() {
         let Some(Effect::Say(said)) = said else { panic!("nothing is said of {word}") };
         assert!(said.contains(word) && said.len() < 1500, "{said}");
     }
+    // Whatever is switched is in it.
+    let curve = [MIDDLE, show("n·l"), Act::Curve];
+    for acts in
+        [&[Act::Vectors][..], &[Act::Handles], &[Act::NextLanguage], &[Act::Outside], &curve]
+    {
+        let desk = after(desk(5), acts);
+        let again = after(self::desk(0), &[Act::Open(address(&desk))]);
+        assert_eq!((seen(&again), address(&again)), (seen(&desk), address(&desk)), "{acts:?}");
+    }
     // A pixel is one of the picture as all the rest makes it.
     let desk = after(desk(0), &[Act::Open("#step02&pixel=639,1&size=640x360".to_owned())]);
     assert_eq!(desk.pinned(), Some(Pixel { col: 639, row: 1, width: 640, height: 360 }));

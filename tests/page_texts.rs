@@ -11,7 +11,8 @@ const TEXTS: &str = "
     const texts = [document.title];
     for (const place of document.body.querySelectorAll('*')) {
         if (place.closest('script, style, noscript, pre, code, strong, [hidden], #language, .control label, .control output, option')) continue;
-        texts.push(place.getAttribute('aria-label'), place.title);
+        // A control's name is the same in all languages.
+        texts.push(place.name ? '' : place.getAttribute('aria-label'), place.title);
         for (const node of place.childNodes) if (node.nodeType === 3) texts.push(node.data.replace(/«[^»]*»/g, '').trim());
     }
     return texts.filter((text) => text)";

@@ -192,7 +192,7 @@ fn what_is_no_picture_is_refused_or_shown_for_what_it_is() {
     let before = address(&desk);
     let why = "--what-if takes LINE=VALUE, and 'V' has no '='";
     assert_eq!(refused(&mut desk, what_if("V")), why);
-    for setting in words("V=NaN V=inf V=-inf V=1e39 V= V=1,2,3 k_d=1,2 k_d=1,NaN,1") {
+    for setting in words("V=NaN V=inf V=-inf V=1e39 V= V=1,2,3 k_d=1;2 k_d=1,NaN,1") {
         let (name, value) = setting.split_once('=').expect("a value");
         let said = refused(&mut desk, what_if(setting));
         assert!(said.starts_with(&format!("'{name}' cannot be '{value}'")), "{said}");

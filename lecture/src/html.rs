@@ -3,7 +3,6 @@
 use std::env;
 use std::fmt::Write as _;
 use std::fs;
-use std::io::Write as _;
 use std::path;
 use std::path::Path;
 use std::path::PathBuf;
@@ -14,8 +13,6 @@ use anyhow::Result;
 use anyhow::bail;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use flate2::Compression;
-use flate2::write::GzEncoder;
 use jpeg_encoder::ColorType;
 use jpeg_encoder::Encoder;
 use jpeg_encoder::SamplingFactor;
@@ -27,6 +24,7 @@ use crate::PROGRAMS;
 use crate::escape::escape;
 use crate::handout;
 use crate::handout::Handout;
+use crate::packed::packed;
 
 /// Pixels of a figure's picture, and what part of it a JPEG keeps: so that the page stays small.
 const STILL_WIDTH: u32 = 280;
@@ -73,9 +71,7 @@ fn root() -> &'static Path {
 /// When a handout or a picture cannot be read.
 pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
     let root = root();
-    let mut packed = GzEncoder::new(Vec::new(), Compression::best());
-    packed.write_all(program)?;
-    let wasm = letters(&packed.finish()?);
+    let wasm = packed(program)?;
     let (mut links, mut articles) = (String::new(), String::new());
     let font = STANDARD.encode(FONT);
     let mut style = format!(
@@ -112,18 +108,6 @@ pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
             ("tours", &page::tours(tours)?.replace("</", "<\\/")),
         ],
     ))
-}
-
-/// Bytes as text, of which each letter has seven bits: shorter than base64. What HTML does not leave as it
-/// is (a zero, the end of a line, the beginning of a tag) stands 256 letters further on.
-fn letters(bytes: &[u8]) -> String {
-    let bit = |at: usize| bytes.get(at / 8).map_or(0, |byte| byte >> (7 - at % 8) & 1);
-    let letter = |first: usize| (first..first + 7).fold(0, |letter, at| 2 * letter + bit(at));
-    let further = |letter: u8| match letter {
-        b'\0' | b'\r' | b'<' => 256 + u32::from(letter),
-        letter => u32::from(letter),
-    };
-    (0..8 * bytes.len()).step_by(7).filter_map(|at| char::from_u32(further(letter(at)))).collect()
 }
 
 /// Of each language the page's own texts by their English, for its script: those that `sources` have

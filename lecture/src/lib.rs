@@ -16,6 +16,8 @@ mod handout;
 mod html;
 #[cfg(not(target_family = "wasm"))]
 mod lesson;
+#[cfg(not(target_family = "wasm"))]
+mod packed;
 
 use std::rc::Rc;
 

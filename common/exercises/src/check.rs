@@ -35,8 +35,9 @@ use show::written;
 const DARKER: f32 = -1.0;
 const BRIGHTER: f32 = 1.0 / 16.0;
 
-/// Where, in eighths across and down, both programs have to tell the same.
-const TOLD: [(usize, usize); 3] = [(4, 4), (3, 5), (6, 4)];
+/// Where, in eighths across and down, both programs have to tell the same: of pictures from the first on,
+/// evenly, a pixel each.
+const TOLD: [(usize, usize); 6] = [(4, 4), (3, 5), (6, 4), (4, 4), (4, 4), (4, 4)];
 
 /// A picture of both programs.
 struct Compared<'a> {
@@ -117,10 +118,15 @@ pub(crate) fn check(program: &Program, name: &str) -> Result<Verdict> {
                 other = program.name
             ),
         };
-        let note = match (&built, compared.first()) {
-            (Some(built), Some(first)) => first.told_otherwise(program.name, name, built)?,
-            _ => String::new(),
-        };
+        let mut note = String::new();
+        if let Some(built) = &built {
+            for (index, pixel) in TOLD.iter().enumerate().filter(|_| count > 0) {
+                let picture = &compared[index * compared.len() / TOLD.len()];
+                if note.is_empty() {
+                    note = picture.told_otherwise(program.name, name, built, *pixel)?;
+                }
+            }
+        }
         return Ok(Verdict::Right(format!("{done}{lacking}\n{note}")));
     };
     let mut text = text!(
@@ -181,23 +187,24 @@ impl<'a> Compared<'a> {
     }
 
     /// Which line the program `built` of the step `name` tells otherwise than `step`, although both
-    /// draw the same: of the first of some pixels that has one.
-    fn told_otherwise(&self, step: &str, name: &str, built: &Path) -> Result<String> {
+    /// draw the same: of the pixel so many eighths across and down, if there is one.
+    fn told_otherwise(
+        &self, step: &str, name: &str, built: &Path, (across, down): (usize, usize),
+    ) -> Result<String> {
         let (width, height) = (self.case.size.width(), self.case.size.height());
-        for (across, down) in TOLD {
-            let (col, row) = (width * across / 8, height * down / 8);
-            let (expected, arguments) = self.of_pixel(col, row);
-            let found = other::tell(name, built, &arguments)?;
-            if let Some(line) = first_line(&expected, &found) {
-                let note = text!(
-                    "but one line is told otherwise, which no picture here shows; of pixel ({col}, {row}):",
-                    col,
-                    row
-                );
-                return Ok(note + &line.written(step, name));
-            }
-        }
-        Ok(String::new())
+        let (col, row) = (width * across / 8, height * down / 8);
+        let (expected, arguments) = self.of_pixel(col, row);
+        let found = other::tell(name, built, &arguments)?;
+        let options = self.case;
+        Ok(first_line(&expected, &found).map_or(String::new(), |line| {
+            let note = text!(
+                "but one line is told otherwise, which no picture here shows; of pixel ({col}, {row}) with {options}:",
+                col,
+                row,
+                options
+            );
+            note + &line.written(step, name)
+        }))
     }
 
     /// What is told of a pixel, and what has a program tell it.

@@ -11,6 +11,7 @@ use common::Part;
 use common::Pixel;
 use common::Scope;
 use common::Value;
+use common::Vec3;
 
 /// The digits of a number alone, and of each of several: nearly all that an `f32` has, so that who
 /// goes on computing with what is shown gets the next line.
@@ -68,22 +69,23 @@ pub fn texts(value: &Value) -> Vec<String> {
 
 /// A value's numbers with four digits, as they stand on a screen, or its word.
 pub fn rounded(value: &Value) -> Vec<String> {
-    with_digits(value, GLANCE)
-}
-
-/// The same with two digits, where it is mentioned.
-pub(crate) fn glance(value: &Value) -> Vec<String> {
-    with_digits(value, 2)
-}
-
-fn with_digits(value: &Value, digits: usize) -> Vec<String> {
     let (numbers, largest) = match *value {
         Value::Number(number) => (vec![number], number),
         Value::Vector(v) => (v.to_array().to_vec(), v.abs().max_element()),
         Value::Word(word) => return vec![translated(word).to_owned()],
     };
-    let text = |number: f32| decimal(number, largest, digits, 5).replace('-', "−");
+    let text = |number: f32| decimal(number, largest, GLANCE, 5).replace('-', "−");
     numbers.into_iter().map(text).map(|text| text.replace("inf", "∞")).collect()
+}
+
+/// The same with two decimals, where it is mentioned.
+pub(crate) fn glance(value: &Value) -> Vec<String> {
+    let hundredths = |number: f32| (100.0 * number).round() / 100.0;
+    match value {
+        Value::Number(number) => rounded(&hundredths(*number).into()),
+        Value::Vector(v) => rounded(&Vec3::from(v.to_array().map(hundredths)).into()),
+        Value::Word(_) => rounded(value),
+    }
 }
 
 /// A value in columns.

@@ -2,6 +2,7 @@
 //! this crate's `src`.
 
 mod class;
+mod formula;
 mod listing;
 mod protocol;
 mod told;
@@ -24,12 +25,11 @@ use show::Language;
 use show::Program;
 use show::Reading;
 use show::Size;
-use show::mathml;
-use show::plain;
 use show::text;
 use show::translated;
 
 pub use crate::class::tours;
+use crate::formula::formula;
 use crate::listing::listings;
 use crate::protocol::Ask;
 use crate::protocol::Done;
@@ -357,6 +357,6 @@ fn setting(setting: show::Setting) -> Setting {
     let (text, fraction, takes) = (control.text(), control.fraction(), control.takes());
     let options = control.options();
     let meant = if control.axis.is_some() { show::Letters::Vector } else { show::Letters::Scalar };
-    let label = mathml(&plain(&control.name, meant), false, &mut |_, _| None);
+    let label = formula(&control.name, meant);
     Setting { name, label, kind, text, fraction, takes, options, changed }
 }

@@ -6,11 +6,10 @@ use show::CodeKind;
 use show::CodeLine;
 use show::CodePart;
 use show::Desk;
-use show::mathml;
 use show::rounded;
 use show::translated;
-use show::typeset;
 
+use crate::formula;
 use crate::protocol::Listed;
 use crate::protocol::Listing;
 use crate::protocol::Noted;
@@ -41,7 +40,7 @@ fn listed(line: CodeLine, desk: &Desk) -> Listed {
     pieces.push(("", line.text[at..].to_owned()));
     pieces.retain(|(_, text)| !text.is_empty());
     let noted = |(told, name): (common::Line, Option<LineName>)| Noted {
-        math: mathml(&typeset(&told), false, &mut |_, _| None),
+        math: formula::told(&told),
         shown: translated(told.equation),
         symbol: told.symbol(),
         value: rounded(&told.value).join("  "),

@@ -9,13 +9,12 @@ use common::Value;
 use show::Desk;
 use show::encode;
 use show::ink_of;
-use show::mathml;
 use show::named_lines;
 use show::rounded;
 use show::symbols;
 use show::translated;
-use show::typeset;
 
+use crate::formula;
 use crate::protocol::Explained;
 use crate::protocol::Part;
 use crate::protocol::Symbols;
@@ -42,7 +41,7 @@ fn parts(scope: &Scope, around: &Scope, desk: &Desk) -> Vec<Part> {
             let is_ray = matches!(line.place, Some(Place::ShadowRay(..)));
             Part::Line {
                 shown: translated(line.equation),
-                math: mathml(&typeset(line), false, &mut |_, _| None),
+                math: formula::told(line),
                 ink,
                 values: rounded(&line.value),
                 open: !is_ray && !matches!(line.value, Value::Word(_)),

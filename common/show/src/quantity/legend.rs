@@ -201,7 +201,8 @@ fn draw_names(
 ) {
     let (mut x, mut y) = (area.left + 0.2 * em, area.top);
     for (name, rgb, pinned) in names {
-        let width = 1.4 * em + Font::width(em, &name);
+        let set = Boxed::inline(&plain(&name, Letters::Scalar), em);
+        let width = 1.4 * em + set.width;
         if x + width > area.right() && x > area.left + em {
             (x, y) = (area.left + 0.2 * em, y + 1.25 * em);
         }
@@ -210,7 +211,7 @@ fn draw_names(
         if pinned {
             canvas.border(swatch.inset(-0.15 * em), 0.15 * em, PINNED);
         }
-        canvas.text((x + 1.2 * em, y), Anchor::TopLeft, em, TEXT, &name);
+        set.draw(canvas, (x + 1.2 * em, y + 0.93 * em), TEXT, true);
         x += width + 0.8 * em;
     }
 }

@@ -42,7 +42,7 @@ pub(super) struct Told<'a> {
 }
 
 /// What a group comes to, as far as it tells that.
-const RESULTS: [&str; 6] = ["n·l", "n·h", "L_a", "L_d", "L_s", "L"];
+const RESULTS: [&str; 5] = ["n·l", "L_a", "L_d", "L_s", "L"];
 
 /// Where rows are added: in which section, and how many scopes and groups of lines it has as yet.
 struct Place {

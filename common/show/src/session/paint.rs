@@ -144,10 +144,14 @@ impl Session {
         let area = area.inset(0.4 * em);
         let program = self.desk.in_sight().0;
         let (Program { name, slides, .. }, (concept, _)) = (program, program.told());
+        // At a stop its slide stands below.
+        let slides = if layout.stop.is_some() { "" } else { *slides };
         let headline = if slides.is_empty() { concept } else { slides };
         if area.height < 5.0 * row {
             let made = format!("{name}   {status}");
-            let made = if area.height < 2.0 * row { "" } else { &*made };
+            // At a stop there is room for the headline alone.
+            let is_low = layout.stop.is_some() && area.height < 2.0 * row;
+            let made = if is_low { "" } else { &*made };
             let (text, ink) = said.map_or((made, FAINT), |said| (said, TEXT));
             let lines = Font::wrap(em, text, area.width).len();
             let height = row * lines as f32;

@@ -192,7 +192,7 @@ impl Row {
                 canvas.text_within(at, Anchor::Left, em, ink, text, width);
                 if let Some(value) = value {
                     let rest = width - Font::width(em, text) - 0.5 * em;
-                    let set = Boxed::within(value, 0.9 * em, rest.max(em));
+                    let set = beginning(value, 0.9 * em, rest.max(em));
                     set.draw(canvas, (right.0 - set.width, middle.1 + 0.3 * em), TEXT, false);
                 }
             }
@@ -245,6 +245,21 @@ impl Row {
             }
         }
     }
+}
+
+/// As much of a list as there is room for.
+fn beginning(list: &Math, em: f32, width: f32) -> Boxed {
+    let parts = list.parts();
+    let ends =
+        (0..=parts.len()).rev().filter(|end| *end == parts.len() || parts[*end] == Math::Sign(','));
+    let mut sets = ends.map(|end| {
+        let begun = Math::Row(parts[..end].to_vec());
+        let set = Boxed::inline(&begun, em);
+        (begun, set)
+    });
+    let fits = sets.find(|(_, set)| 0.8 * set.width <= width);
+    let begun = fits.map_or_else(|| list.clone(), |(begun, _)| begun);
+    Boxed::within(&begun, em, width)
 }
 
 /// Where the slider of a control is, in the area of its row.
