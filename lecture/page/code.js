@@ -13,6 +13,7 @@ function showCode() {
     listing = shape;
     $("listing").replaceChildren(...parts.map(listPart).filter(Boolean));
   }
+  $("listing").classList.toggle("whole", state.whole);
   const notes = parts.flatMap(({ lines }) => lines.flatMap((line) => line.notes));
   const places = $("listing").querySelectorAll(".note");
   for (const [place, { value, chosen, altered }] of notes.entries()) {

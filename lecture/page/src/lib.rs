@@ -338,6 +338,7 @@ fn state(desk: &Desk, spoken: Language) -> State {
         legend: desk.legend().map(|legend| (legend.words(), show::height_below(desk))),
         altered: desk.altered(),
         alone: desk.alone(),
+        whole: desk.is_whole(),
         blank: desk.is_blank(),
         stop: class::here(desk),
         listed: class::listed(desk),

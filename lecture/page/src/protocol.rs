@@ -181,6 +181,8 @@ pub(crate) struct State {
     /// What is answered otherwise, as it is said; the first group has its controls.
     pub(crate) altered: Option<String>,
     pub(crate) alone: bool,
+    /// The code is shown to the letter.
+    pub(crate) whole: bool,
     pub(crate) blank: bool,
     /// Where the class is, if it is at a stop.
     pub(crate) stop: Option<Here>,
