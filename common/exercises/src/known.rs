@@ -109,11 +109,6 @@ pub(crate) const ALL: &[Mistake] = known! {
             told(|said|
                 T_1(t) => ahead(t),
                 POINT(_) => said.viewing_ray()?.at(said.root(-1.0)?));
-        "t > 0 is not asked: what is behind the eye is seen too" =>
-            told(|said|
-                T_1(t) => ahead(t),
-                T(t) => ahead(t),
-                POINT(_) => said.viewing_ray()?.at(said.root(-1.0)?));
         "The roots are in the wrong order: the larger t is tried first" =>
             told(|said| T_1(_) => said.root(1.0)?, T_2(_) => said.root(-1.0)?);
         "Only the smaller root is tried: from inside a sphere the larger one is seen" =>
@@ -179,6 +174,11 @@ pub(crate) const ALL: &[Mistake] = known! {
         });
         "t > 0 is not asked: what is behind the eye is seen too" =>
             told(|_| T(t) => ahead(t));
+        "t > 0 is not asked: what is behind the eye is seen too" =>
+            told(|said|
+                T_1(t) => ahead(t),
+                T(t) => ahead(t),
+                POINT(_) => said.viewing_ray()?.at(said.root(-1.0)?));
         "D has the wrong sign" =>
             told(|_| T(t) => -t, BETA(beta) => -beta, GAMMA(gamma) => -gamma);
         "β and γ have the wrong sign" => told(|_| BETA(beta) => -beta, GAMMA(gamma) => -gamma);
