@@ -113,7 +113,10 @@ impl Diagnosis {
                 ..Self::default()
             })
         };
-        let is_near = |it: &&Milestone| it.misfits(sample, HALF, None).is_some();
+        // From behind a mistake may change a whole picture.
+        let most = sample.places().count() / HALF;
+        let is_near =
+            |it: &&Milestone| it.misfits(sample, 1, None).is_some_and(|misfits| misfits <= most);
         milestones.filter(is_near).find_map(with)
     }
 }
