@@ -90,7 +90,16 @@ impl Copy {
         copy
     }
 
-    fn target(&self) -> PathBuf {
+    pub(crate) fn root(&self) -> &Path {
+        &self.root
+    }
+
+    /// The program of a step, from 1 on, as it is before anything is changed.
+    pub(crate) fn program(&self, step: usize) -> PathBuf {
+        self.programs.join(STEPS[step - 1])
+    }
+
+    pub(crate) fn target(&self) -> PathBuf {
         self.root.with_file_name("target")
     }
 
@@ -126,7 +135,7 @@ impl Copy {
                 cargo.arg(self.root.join("Cargo.toml")).arg("--");
                 cargo
             }
-            _ => start(self.programs.join(reached)),
+            _ => start(self.program(step)),
         };
         check.env("CARGO", env!("CARGO")).env("CARGO_NET_OFFLINE", "true");
         check.env("CARGO_TARGET_DIR", self.target());

@@ -7,6 +7,7 @@ mod files;
 mod language;
 mod mistakes;
 mod slips;
+mod watch;
 mod window;
 mod wrong;
 

@@ -18,7 +18,7 @@ use tempfile::TempDir;
 use tests::prelude::*;
 
 /// Asks again until there is an answer.
-fn until<T>(what: &str, mut ask: impl FnMut() -> Option<T>) -> T {
+pub(crate) fn until<T>(what: &str, mut ask: impl FnMut() -> Option<T>) -> T {
     let start = Instant::now();
     loop {
         if let Some(answer) = ask() {
@@ -30,13 +30,13 @@ fn until<T>(what: &str, mut ask: impl FnMut() -> Option<T>) -> T {
 }
 
 /// An X server without a screen.
-struct Display {
+pub(crate) struct Display {
     server: RefCell<Child>,
-    name: String,
+    pub(crate) name: String,
 }
 
 impl Display {
-    fn start() -> Self {
+    pub(crate) fn start() -> Self {
         let mut server = start("Xvfb")
             .args(["-displayfd", "1", "-screen", "0", "2000x1200x24", "-nolisten", "tcp"])
             .arg("-noreset")
@@ -51,7 +51,7 @@ impl Display {
     }
 
     /// What xdotool answers to a line of commands; none when it fails.
-    fn ask(&self, commands: &str) -> Option<String> {
+    pub(crate) fn ask(&self, commands: &str) -> Option<String> {
         let mut xdotool = start("xdotool");
         let output = xdotool.args(words(commands)).env("DISPLAY", &self.name).output();
         let output = output.expect("xdotool is installed");
