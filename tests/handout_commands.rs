@@ -20,7 +20,7 @@ fn file_of(name: &str, arguments: &[&str]) -> Option<String> {
     match named {
         Some(index) => Some(arguments[index + 1].to_owned()),
         None if arguments.iter().any(|argument| silent.contains(argument)) => None,
-        None => Some(format!("{}-1.png", name.trim_start_matches("examples/"))),
+        None => Some(format!("{}.png", name.trim_start_matches("examples/"))),
     }
 }
 

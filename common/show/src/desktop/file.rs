@@ -124,20 +124,25 @@ fn unwritable(path: &Path, error: &io::Error) -> anyhow::Error {
     ))
 }
 
-/// Writes `picture` as `stem-1.png`, or with the next number under which there is no file yet.
+/// Writes `picture` as `stem-1.png`, or with the next number under which there is no file yet; from 0 on,
+/// which is `stem.png`, or another number.
 ///
 /// # Errors
 ///
 /// When the folder is read-only or the disk is full.
-pub(crate) fn save_new_png(picture: &RgbImage, stem: &str) -> Result<PathBuf> {
-    let mut path = PathBuf::from(format!("{stem}-1.png"));
+pub(crate) fn save_new_png(picture: &RgbImage, stem: &str, first: usize) -> Result<PathBuf> {
+    let named = |number: usize| match number {
+        0 => PathBuf::from(format!("{stem}.png")),
+        _ => PathBuf::from(format!("{stem}-{number}.png")),
+    };
+    let mut path = named(first);
     let mut part = written(&png(picture)?, &path).map_err(|error| unwritable(&path, &error))?;
-    for number in 2.. {
+    for number in first + 1.. {
         match part.persist_noclobber(&path) {
             Ok(_) => break,
             Err(PersistError { error, file }) if error.kind() == ErrorKind::AlreadyExists => {
                 part = file;
-                path = PathBuf::from(format!("{stem}-{number}.png"));
+                path = named(number);
             }
             Err(PersistError { error, .. }) => return Err(unwritable(&path, &error)),
         }

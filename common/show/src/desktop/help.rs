@@ -60,7 +60,7 @@ pub(super) fn help(suite: &Suite) -> String {
 
 Usage: {name} [OPTIONS]
 
-Without options it opens a window; with no display it writes {name}-1.png.
+Without options it opens a window; with no display it writes {name}.png.
 
 Options:
   -o, --output FILE       write a PNG, open no window; - is standard output, and a.pfm has the

@@ -70,7 +70,7 @@ impl Job<'_> {
     /// Writes the picture to a file of a new name, which begins with the program's.
     pub(super) fn write_new(&self) -> Result<()> {
         let (picture, _) = self.render();
-        let path = file::save_new_png(&picture, self.name)?;
+        let path = file::save_new_png(&picture, self.name, 0)?;
         report(self.name, &text!("written to {path}", path = path.display()));
         Ok(())
     }

@@ -381,7 +381,7 @@ impl Shell {
         let name = self.session.desk().program().name;
         let pictures = drawings.into_iter().map(Drawing::into_picture).collect();
         let picture = self.session.written(pictures);
-        let done = match file::save_new_png(&picture, name) {
+        let done = match file::save_new_png(&picture, name, 1) {
             Ok(path) => {
                 let size = format!("{}x{}", picture.width(), picture.height());
                 text!("{size} written to {path}", size, path = path.display())
