@@ -345,6 +345,13 @@ fn the_command_line_gives_a_class_of_ones_own() {
     let (code, found, _) = ran("--tour twice.md --check-tour");
     assert_eq!(code, Some(1));
     assert!(found.starts_with("2 Sombras: the picture is that of the stop before\n"), "{found}");
+    let printed = ran("--tour good.md --handout three.html");
+    let page = fs::read_to_string(folder.path().join("three.html")).expect("a page");
+    let count = |part: &str| page.matches(part).count();
+    assert_eq!(
+        (printed.0, count("<section>"), count("data:image/jpeg;base64,/9j/")),
+        (Some(0), 3, 3)
+    );
     let (code, _, told) = ran("--tour broken.md --stop 2 -o second.png");
     assert_eq!(code, Some(0), "{told}");
     assert!(told.contains("broken.md:27: there is no step or figure 'step08'"), "{told}");

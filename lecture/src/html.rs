@@ -13,6 +13,7 @@ use anyhow::Result;
 use anyhow::bail;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
+use image::DynamicImage;
 use jpeg_encoder::ColorType;
 use jpeg_encoder::Encoder;
 use jpeg_encoder::SamplingFactor;
@@ -154,19 +155,25 @@ fn stills(folder: &Path, style: &mut String) -> Result<()> {
         }
         let picture = image::open(&path).with_context(|| path.display().to_string())?;
         let (width, height) = (picture.width(), picture.height());
-        let small = picture.thumbnail(STILL_WIDTH, height).to_rgb8();
-        let mut bytes = Vec::new();
-        let mut encoder = Encoder::new(&mut bytes, STILL_QUALITY);
-        encoder.set_optimized_huffman_tables(true);
-        encoder.set_sampling_factor(SamplingFactor::R_4_2_0);
-        encoder.encode(&small, small.width() as u16, small.height() as u16, ColorType::Rgb)?;
-        let bytes = STANDARD.encode(bytes);
+        let bytes = jpeg(picture, STILL_WIDTH, STILL_QUALITY)?;
         let _ = writeln!(
             style,
             ".{name} {{ aspect-ratio: {width} / {height}; background-image: url(data:image/jpeg;base64,{bytes}); }}"
         );
     }
     Ok(())
+}
+
+/// The picture, no wider than `width`, as a JPEG in base64.
+pub(crate) fn jpeg(picture: impl Into<DynamicImage>, width: u32, quality: u8) -> Result<String> {
+    let picture = picture.into();
+    let small = picture.thumbnail(width.min(picture.width()), picture.height()).to_rgb8();
+    let mut bytes = Vec::new();
+    let mut encoder = Encoder::new(&mut bytes, quality);
+    encoder.set_optimized_huffman_tables(true);
+    encoder.set_sampling_factor(SamplingFactor::R_4_2_0);
+    encoder.encode(&small, small.width() as u16, small.height() as u16, ColorType::Rgb)?;
+    Ok(STANDARD.encode(bytes))
 }
 
 /// A step's handout.

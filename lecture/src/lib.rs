@@ -18,6 +18,8 @@ mod html;
 mod lesson;
 #[cfg(not(target_family = "wasm"))]
 mod packed;
+#[cfg(not(target_family = "wasm"))]
+mod paper;
 
 use std::rc::Rc;
 
@@ -140,6 +142,7 @@ pub fn suite() -> Suite {
         figures: FIGURES.map(|(_, figure)| figure()).to_vec(),
         tours: translations!(tours),
         page: Some(|tours| html(&build()?, tours)),
+        handout: Some(paper::handout),
         exercises: None,
     }
 }

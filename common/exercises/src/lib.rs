@@ -58,7 +58,8 @@ pub fn main<S: Step + Default + 'static>(
     let slides = Program::slides_of(handout).leak();
     let programs = vec![Program { code, handout, slides, ..program }];
     let (figures, tours, exercises) = (Vec::new(), Vec::new(), Some(&Known as &dyn Exercises));
-    Suite { name, concept, programs, figures, tours, page: None, exercises }.run(env::args_os())
+    Suite { name, concept, programs, figures, tours, page: None, handout: None, exercises }
+        .run(env::args_os())
 }
 
 /// What the lecture's `main` runs: the command line of all that is in `suite`, and of the exercises; the

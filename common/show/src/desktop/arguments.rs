@@ -114,7 +114,7 @@ pub(super) fn command(suite: &Suite) -> Command {
                 Err(text!("the page is HTML, so name it {path}", path = path.display()))
             }
         });
-        let page = file("page").value_parser(html);
+        let page = file("page").value_parser(html.clone());
         let others = [
             "size",
             "camera",
@@ -135,7 +135,9 @@ pub(super) fn command(suite: &Suite) -> Command {
             "check-tour",
             "code",
         ];
+        let handout = file("handout").value_parser(html).conflicts_with("page");
         command = command.arg(page.conflicts_with_all(others));
+        command = command.arg(handout.conflicts_with_all(others));
     }
     command
         .arg(file("output").short('o').value_parser(png))

@@ -67,7 +67,8 @@ fn run(suite: &Suite, arguments: impl Iterator<Item = OsString>) -> ExitCode {
         Err(error) => return usage(&refusal(&error)),
     };
     let (begins, stop) = (tours::begins(suite, &matches), given::<usize>(&matches, "stop"));
-    let page = given::<PathBuf>(&matches, "page").zip(suite.page);
+    let pages = [("page", suite.page), ("handout", suite.handout)];
+    let page = pages.iter().find_map(|(name, page)| given::<PathBuf>(&matches, name).zip(*page));
     let checks = given::<bool>(&matches, "check-tour") == Some(true);
     let mut all = Vec::new();
     let is_given = |name| given::<PathBuf>(&matches, name).is_some();

@@ -32,7 +32,9 @@ pub(super) fn help(suite: &Suite) -> String {
         lecture += text!(
             "
       --page FILE         write all steps as one web page, to be opened by a double click; with
-                          --tour, for that class"
+                          --tour, for that class
+      --handout FILE      write the class for a browser to print: of each stop its picture, what is
+                          said there, and room to write"
         );
     }
     let check = match exercises {

@@ -24,6 +24,8 @@ pub struct Suite {
     pub tours: Vec<(&'static str, &'static str)>,
     /// The web page with all steps and these tours, where there is one to be written.
     pub page: Option<MakePage>,
+    /// The same on paper: each stop of them, with room to write.
+    pub handout: Option<MakePage>,
     /// Those who know the exercises, if these are asked for.
     pub exercises: Option<&'static dyn Exercises>,
 }
@@ -33,7 +35,7 @@ impl Suite {
     pub(super) fn of(program: Program) -> Self {
         let Program { name, concept, .. } = program;
         let (programs, figures, tours) = (vec![program], Vec::new(), Vec::new());
-        Self { name, concept, programs, figures, tours, page: None, exercises: None }
+        Self { name, concept, programs, figures, tours, page: None, handout: None, exercises: None }
     }
 
     /// A desk with all of it, which shows the program at the place `current`: a step or, after these, a

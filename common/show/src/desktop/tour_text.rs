@@ -21,9 +21,10 @@ use crate::text;
 pub const LONGEST: usize = 240;
 
 /// What a stop's command cannot ask for.
-const REFUSED: [&str; 11] = [
+const REFUSED: [&str; 12] = [
     "check",
     "page",
+    "handout",
     "compare",
     "tour",
     "check-tour",
