@@ -137,8 +137,10 @@ impl<'a> Sample<'a> {
 
     /// Whether each picture that is seen is all black or all white: nearly anything leads to that.
     pub(crate) fn is_blank(&self) -> bool {
-        let is_seen =
-            |part: &&Part<'_>| part.differing.first().is_some_and(|place| place.pair.times == 1.0);
+        // Those that do not differ tell what it is not.
+        let is_seen = |part: &&Part<'_>| {
+            part.differing.iter().chain(&part.equal).any(|place| place.pair.times == 1.0)
+        };
         let seen = || self.0.iter().filter(is_seen);
         seen().count() > 0
             && seen().all(|part| {
