@@ -4,7 +4,6 @@ use std::env;
 use std::fs;
 use std::path::PathBuf;
 
-use super::shell::Shell;
 use crate::Size;
 
 /// Where a class was, in one small file of the user's.
@@ -46,25 +45,19 @@ impl Remembered {
         }
     }
 
+    /// Remembers where the class is, for a next time.
+    pub(super) fn keep(&mut self, stop: usize, size: Size) {
+        if (self.stop, self.size) != (stop, Some(size)) {
+            (self.stop, self.size) = (stop, Some(size));
+            self.write();
+        }
+    }
+
     /// Writes it down. A class goes on where that cannot be done.
-    pub(super) fn write(&self) {
+    fn write(&self) {
         let Some(folder) = folder() else { return };
         let size = self.size.map(|size| size.to_string()).unwrap_or_default();
         let text = format!("{}\n{size}\n{}\n", self.stop, self.tour);
         let _ = fs::create_dir_all(&folder).and_then(|()| fs::write(folder.join("class"), text));
-    }
-}
-
-impl Shell {
-    /// Remembers where the class is, for a next time.
-    pub(super) fn remember(&mut self) {
-        let desk = self.session.desk();
-        let Some((number, _)) = desk.stop() else { return };
-        self.begun = self.begun.filter(|begun| *begun == number);
-        let stop = if self.begun.is_some() { self.remembered.stop } else { number };
-        if (self.remembered.stop, self.remembered.size) != (stop, Some(self.size)) {
-            (self.remembered.stop, self.remembered.size) = (stop, Some(self.size));
-            self.remembered.write();
-        }
     }
 }

@@ -120,9 +120,9 @@ pub(super) struct Shell {
     pub(super) still: bool,
     /// Since when the pictures are on their way to a stop.
     pub(super) glide: Option<Instant>,
-    pub(super) remembered: Remembered,
+    remembered: Remembered,
     /// The stop at which the class began, until it goes on: until then the last class is remembered.
-    pub(super) begun: Option<usize>,
+    begun: Option<usize>,
     pub(super) active: bool,
     /// The drawings are not what the session wants.
     pub(super) redraw: bool,
@@ -168,7 +168,11 @@ impl Shell {
             self.glide = self.glide.filter(|_| part < 1.0);
             self.tell(Event::Glide(part))?;
         }
-        self.remember();
+        if let Some((number, _)) = self.session.desk().stop() {
+            self.begun = self.begun.filter(|begun| *begun == number);
+            let stop = if self.begun.is_some() { self.remembered.stop } else { number };
+            self.remembered.keep(stop, self.size);
+        }
         if mem::take(&mut self.redraw) {
             self.restart();
         }

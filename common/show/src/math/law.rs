@@ -188,3 +188,26 @@ pub fn terms(equation: &Math) -> Vec<Math> {
     }
     terms.into_iter().map(Math::Row).collect()
 }
+
+/// How large letters of this font are beside those of text that look as large.
+const BESIDE: f32 = 1.12;
+
+impl Boxed {
+    /// A line of `math` beside text of this size, with fractions as small as they fit there.
+    pub fn inline(math: &Math, em: f32) -> Self {
+        let size = BESIDE * em;
+        Style { size, large: false, within: false, numbers: None }.set(math)
+    }
+
+    /// As [`inline`](Self::inline), smaller where it would be wider than `width`.
+    pub fn within(math: &Math, em: f32, width: f32) -> Self {
+        let set = Self::inline(math, em);
+        let part = width / set.width.max(1.0);
+        if part >= 1.0 { set } else { Self::inline(math, em * part.max(0.5)) }
+    }
+
+    /// `math` as it stands alone, broken where it would be wider than `width`.
+    pub fn display(math: &Math, em: f32, width: f32) -> Self {
+        Law::of(math).set(BESIDE * em, width, f32::INFINITY)
+    }
+}
