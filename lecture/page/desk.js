@@ -43,15 +43,19 @@ const isElsewhere = (before) => before.step !== state.step
 function refresh(keeps) {
   const before = state;
   state = asked({ state: { spoken } });
+  if (before && !passing && isCovered() && isElsewhere(before)) uncover();
   const said = languageOf(state.language);
   if (said !== language) speak(said);
   const other = !before || before.step !== state.step || before.language !== state.language;
-  if (other) showStep();
+  if (other || covered !== isCovered()) showStep();
   if (showControls() || other) choose(selected());
   showStage();
   explain();
   showCode();
   showClass();
+  showOffers();
   read(before);
+  // Another text is read from its top on.
+  if (before && before.step !== state.step) scrollTo({ top: 0, behavior: "instant" });
   writeAddress(keeps && before && isElsewhere(before) ? before.address : "");
 }

@@ -49,6 +49,10 @@ new ResizeObserver(() => show()).observe($("picture"));
 new ResizeObserver(() => {
   document.documentElement.style.setProperty("--view", `${$("view").offsetHeight}px`);
 }).observe($("view"));
+/** Where there is room beside the text, the tools stand below the picture. */
+new ResizeObserver(() => {
+  document.documentElement.style.setProperty("--stage", `${$("stage").offsetHeight}px`);
+}).observe($("stage"));
 
 function showStage() {
   const { step, size, pin, divider, holding, vectors, handles, outside } = state;
@@ -73,17 +77,21 @@ function showStage() {
   document.body.classList.toggle("alone", state.alone);
 }
 
+/** The old way, where the other is forbidden, as it is from a server without a certificate. */
+function copyAsOfOld(what) {
+  const [field, focus] = [element("textarea", { value: what }), document.activeElement];
+  document.body.append(field);
+  field.select();
+  const copied = document.execCommand("copy");
+  field.remove();
+  focus.focus({ preventScroll: true });
+  return copied;
+}
+
 async function copy(what) {
-  notice(`${text("Copied:")} ${what}`);
-  try { await navigator.clipboard.writeText(what); } catch {
-    // Where that is forbidden, as it is from a server without a certificate, the old way may do.
-    const [field, focus] = [element("textarea", { value: what }), document.activeElement];
-    document.body.append(field);
-    field.select();
-    document.execCommand("copy");
-    field.remove();
-    focus.focus({ preventScroll: true });
-  }
+  let copied = true;
+  try { await navigator.clipboard.writeText(what); } catch { copied = copyAsOfOld(what); }
+  notice(`${copied ? text("Copied:") : text("To copy by hand:")} ${what}`);
 }
 
 /** Saves the picture; that of a told line with its legend below it. */

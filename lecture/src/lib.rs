@@ -17,6 +17,8 @@ mod html;
 #[cfg(not(target_family = "wasm"))]
 mod lesson;
 #[cfg(not(target_family = "wasm"))]
+mod offer;
+#[cfg(not(target_family = "wasm"))]
 mod packed;
 #[cfg(not(target_family = "wasm"))]
 mod paper;
