@@ -7,6 +7,7 @@
 use std::fmt::Display;
 
 use common::*;
+use telling::Explanation;
 pub use lecture::step07_specular::Lesson as Specular;
 pub use lecture::step07_specular::intersection::IntersectionRecord as Hit;
 pub use lecture::step07_specular::light::PointLight as Light;

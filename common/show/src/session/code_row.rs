@@ -19,7 +19,7 @@ use crate::CodeLine;
 use crate::Font;
 use crate::Ink;
 use crate::Math;
-use common::LineName;
+use telling::LineName;
 
 const COMMENT: Ink = Ink::new(134, 150, 172);
 const QUOTED: Ink = Ink::new(214, 178, 138);

@@ -11,7 +11,7 @@ use crate::Letters;
 use crate::Math;
 use crate::Setting;
 use crate::plain;
-use common::LineName;
+use telling::LineName;
 
 /// Behind all that is beside the picture.
 pub(super) const BACKGROUND: Ink = Ink::new(21, 24, 31);

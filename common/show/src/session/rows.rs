@@ -29,8 +29,8 @@ use crate::rounded;
 use crate::text;
 use crate::translated;
 use crate::typeset;
-use common::Line;
-use common::LineName;
+use telling::Line;
+use telling::LineName;
 
 /// How much of what is read of a pixel its law may be.
 const LAW: f32 = 0.45;
