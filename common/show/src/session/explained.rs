@@ -1,6 +1,6 @@
 //! The rows of a pixel's explanation, what matters first.
 
-use super::row::ACCENT;
+use super::measures::ACCENT;
 use super::row::Fold;
 use super::row::Row;
 use crate::Letters;

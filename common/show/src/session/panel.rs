@@ -1,14 +1,14 @@
 //! A list of rows, scrolled.
 
-use super::row::ACCENT;
-use super::row::ADDED;
-use super::row::BAR;
-use super::row::CHOSEN;
-use super::row::GUTTER;
-use super::row::MARGIN;
-use super::row::NEW;
+use super::measures::ACCENT;
+use super::measures::ADDED;
+use super::measures::BAR;
+use super::measures::CHOSEN;
+use super::measures::GUTTER;
+use super::measures::MARGIN;
+use super::measures::NEW;
+use super::measures::TWO;
 use super::row::Row;
-use super::row::TWO;
 use super::row::Target;
 use super::row::slider;
 use crate::Area;
