@@ -9,7 +9,7 @@ class Figure {
     place.after(box);
     const layers = [{ figure: this.name }];
     this.drawing = new Drawing(() => ({ layers, size: this.state.size }), (made, drawn) => {
-      put(canvas, this.name, this.state.size, made, 8);
+      put(canvas, this.name, this.state.size, made);
       place.dataset.drawn = drawn;
     });
     this.controls = new Controls(box, `figure${this.drawing.number}-`, (what) => this.moved(what));
