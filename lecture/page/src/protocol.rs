@@ -1,12 +1,12 @@
 //! What a browser may ask, and what it is answered: as JSON.
 
-use common::LineName;
 use serde::Deserialize;
 use serde::Serialize;
 use show::Act;
 use show::Handle;
 use show::Key;
 use show::Language;
+use telling::LineName;
 
 use crate::class::Here;
 use crate::class::Told;

@@ -14,7 +14,7 @@ use crate::Language;
 use crate::Size;
 use crate::Wanted;
 use common::Camera;
-use common::Step;
+use telling::AnyStep;
 
 /// How long the picture is worked on before the window is looked after again.
 const SLICE: Duration = Duration::from_millis(12);
@@ -171,7 +171,7 @@ impl Drawing {
         false
     }
 
-    fn batch(&mut self, step: &dyn Step, pass: &mut Pass) {
+    fn batch(&mut self, step: &dyn AnyStep, pass: &mut Pass) {
         let start = Instant::now();
         let size = pass.size(self.size);
         let row_cost = self.cost * pass.rays_per_row(self.size) as f64;

@@ -6,12 +6,12 @@ use super::code_row::Note;
 use super::explained::Told;
 use super::layout::Layout;
 use super::layout::split;
+use super::measures::FAINT;
+use super::measures::MARGIN;
+use super::measures::TEXT;
 use super::panel::Panel;
-use super::row::FAINT;
 use super::row::Fold;
-use super::row::MARGIN;
 use super::row::Row;
-use super::row::TEXT;
 use crate::Area;
 use crate::Boxed;
 use crate::Change;
@@ -29,8 +29,8 @@ use crate::rounded;
 use crate::text;
 use crate::translated;
 use crate::typeset;
-use common::Line;
-use common::LineName;
+use telling::Line;
+use telling::LineName;
 
 /// How much of what is read of a pixel its law may be.
 const LAW: f32 = 0.45;
