@@ -39,6 +39,9 @@ pub fn law_name(key: &str, is_told: impl Fn(&str) -> bool) -> Option<&str> {
 /// How small an equation gets before it is cut, in parts of its size.
 const LEAST: f32 = 0.62;
 
+/// In how many steps it gets there.
+const SIZES: usize = 12;
+
 /// The equations that are a step's law: what stands between the first $$ of its handout.
 pub fn laws(handout: &str) -> Vec<&str> {
     let block = handout.split("$$").nth(1).into_iter();
@@ -118,23 +121,17 @@ impl Law {
             self.stacked(style, width)
         };
         // What is smaller may break at other places, and then fit.
-        let mut now = size;
-        let mut fits = set(now);
-        for _ in 0..4 {
-            let part = (width / fits.width).min(height / fits.height());
-            if part < 1.0 && now > LEAST * size {
-                now = (0.99 * part * now).max(LEAST * size);
-                fits = set(now);
-            }
-        }
-        fits
+        let smaller = (0..=SIZES).map(|by| (1.0 - (1.0 - LEAST) * by as f32 / SIZES as f32) * size);
+        let mut sets = smaller.map(set);
+        let fits = sets.find(|set| set.width <= width && set.height() <= height);
+        fits.unwrap_or_else(|| set(LEAST * size))
     }
 
     fn stacked(&self, style: Style<'_>, width: f32) -> Boxed {
         let (mut set, gap) = (Boxed::default(), 0.28 * style.size);
         let (mut left, mut above, mut baseline) = (0.0, 0.0, 0.0);
-        // Where the first line ends.
-        let mut first = (0.0, 0.0);
+        // How far down the first line stands.
+        let mut first = 0.0;
         for equation in &self.equations {
             let whole = style.set(equation);
             let lines = match whole.width <= width {
@@ -153,16 +150,22 @@ impl Law {
                 let drop = if set.width == 0.0 { line.above } else { set.hang + gap + line.above };
                 (above, baseline, left) = (line.above, drop, indent + line.width);
                 set.put(line, (indent, drop));
-                first = if first.0 == 0.0 { (left, drop) } else { first };
+                first = if first == 0.0 { drop } else { first };
             }
         }
         if let Some((place, light)) = self.light {
             let words = plain(&format!("i = {place}: {}", translated(light)), Letters::Scalar);
             let line = Boxed::inline(&words, 0.7 * style.size);
-            // In the corner, if there is room beside the first line.
-            let corner = (width - line.width, first.1);
+            // In a corner, if there is room beside what stands there.
+            let right = width - line.width;
+            let corners = [(right, first), (right, set.hang)];
+            let is_free = |at: &(f32, f32)| {
+                let margin = 0.5 * style.size;
+                set.is_free((at.0 - margin, at.1 - line.above), (width, at.1 + line.below))
+            };
             let below = (0.0, set.hang + gap + line.above);
-            set.put(line, if first.0 + style.size < corner.0 { corner } else { below });
+            let place = corners.into_iter().find(is_free).unwrap_or(below);
+            set.put(line, place);
         }
         set
     }

@@ -26,8 +26,8 @@ pub(super) struct Style<'a> {
 const AXIS: f32 = 0.258;
 const BAR: f32 = 0.06;
 const SCRIPT: f32 = 0.72;
-const NUMBER: f32 = 0.64;
-const LINE: f32 = 0.7;
+const NUMBER: f32 = 0.82;
+const LINE: f32 = 0.77;
 
 /// The colour of a number that hangs below what has none.
 const NUMBERS: Ink = Ink::new(255, 212, 121);
@@ -155,14 +155,14 @@ impl<'a> Style<'a> {
             if !lines.is_empty() {
                 let one = count == 1 && !matches!(parts[place], Math::Fraction(..));
                 let ink = ink(&Math::Row(parts[place..place + count].to_vec()).key());
-                hanging.push((left, own, widest, lines, one, ink));
+                let floor = whole.below.max(0.22 * self.size);
+                hanging.push((left, own, widest, lines, one, ink, floor));
             }
             set.put(whole, (left, 0.0));
             set.width = set.width.max(left + (width + own) / 2.0) + after;
             place += count;
         }
-        let floor = set.below.max(0.22 * self.size);
-        for (left, own, widest, lines, one, ink) in hanging {
+        for (left, own, widest, lines, one, ink, floor) in hanging {
             let mut top = floor + 0.12 * self.size;
             if !one {
                 // What is around a whole term says that the number is all of it.

@@ -57,7 +57,9 @@ impl Session {
         let altered = self.desk.altered();
         match layout.beside {
             Some(beside) => {
-                if let Some((law, area)) = self.law() {
+                let law = self.law();
+                let told_below = law.as_ref().is_some_and(|(_, area)| *area == beside.caption);
+                if let Some((law, area)) = law {
                     canvas.fill(area, CHOSEN);
                     let at = area.inset(MARGIN * layout.em);
                     law.draw(&mut canvas, (at.left, at.top + law.above), TEXT, false);
@@ -74,7 +76,9 @@ impl Session {
                 }
                 let here = said.as_deref().filter(|_| layout.stop.is_none());
                 let said = [altered.as_deref(), here];
-                self.paint_caption(&mut canvas, &layout, beside.caption, said, status);
+                if !told_below {
+                    self.paint_caption(&mut canvas, &layout, beside.caption, said, status);
+                }
             }
             None => {
                 let said: Vec<String> = altered.clone().into_iter().chain(said.clone()).collect();
