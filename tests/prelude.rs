@@ -24,6 +24,7 @@ pub use show::*;
 pub use tempfile::tempdir;
 
 pub use crate::chance::*;
+pub use crate::deck::*;
 pub use crate::hands::drag;
 pub use crate::hands::*;
 pub use crate::laws::*;

@@ -30,6 +30,10 @@ impl Lesson {
                 Event::Start(Tag::Heading { level: HeadingLevel::H2, .. }) => section += 1,
                 Event::Start(Tag::Paragraph | Tag::Heading { .. }) => text.clear(),
                 Event::Text(part) | Event::Code(part) => text.push_str(&part),
+                // A vector's name stays bold.
+                Event::Start(Tag::Strong) | Event::End(TagEnd::Strong) if section == 1 => {
+                    text.push_str("**")
+                }
                 Event::SoftBreak => text.push(' '),
                 Event::DisplayMath(latex) if section == 2 => {
                     for equation in latex.split(r"\qquad") {

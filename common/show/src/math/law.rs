@@ -171,13 +171,19 @@ impl Law {
     }
 }
 
-/// An equation in parts, a new one from each + on that is not within round brackets: where there is no
-/// room for all of it they stand below each other.
+/// An equation in parts, a new one from each + on that is not within round brackets, and from each =
+/// behind another or a matrix: where there is no room for all of it they stand below each other.
 pub fn terms(equation: &Math) -> Vec<Math> {
     let mut terms: Vec<Vec<Math>> = vec![Vec::new()];
-    let mut add = |part: &Math| match terms.last_mut() {
-        Some(term) if *part != Math::Sign('+') || term.is_empty() => term.push(part.clone()),
-        _ => terms.push(vec![part.clone()]),
+    let mut ends = false;
+    let mut add = |part: &Math| {
+        let equals = *part == Math::Sign('=');
+        let begins = *part == Math::Sign('+') || equals && ends;
+        ends |= equals || matches!(part, Math::Matrix(_));
+        match terms.last_mut() {
+            Some(term) if !begins || term.is_empty() => term.push(part.clone()),
+            _ => terms.push(vec![part.clone()]),
+        }
     };
     for part in equation.parts() {
         match part {

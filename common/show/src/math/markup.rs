@@ -76,6 +76,7 @@ fn part(math: &Math, place: Place<'_>) -> String {
             let (below, above) = (script(lower), script(upper));
             let name = match (&**base, lower, upper) {
                 (Math::Sign('∑'), Some(_), None) => "munder",
+                (Math::Sign('∑'), Some(_), Some(_)) => "munderover",
                 (_, Some(_), None) => "msub",
                 (_, None, _) => "msup",
                 (_, Some(_), Some(_)) => "msubsup",

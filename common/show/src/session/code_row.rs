@@ -5,7 +5,6 @@ use std::ops::Range;
 use super::row::ACCENT;
 use super::row::ALTERED;
 use super::row::FAINT;
-use super::row::LINE;
 use super::row::REMOVED;
 use super::row::TEXT;
 use crate::Anchor;
@@ -19,6 +18,7 @@ use crate::CodeLine;
 use crate::Font;
 use crate::Ink;
 use crate::Math;
+use crate::prose::LINE;
 use common::LineName;
 
 const COMMENT: Ink = Ink::new(134, 150, 172);
