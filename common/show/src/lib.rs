@@ -121,6 +121,7 @@ pub use math::Law;
 pub use math::Letters;
 pub use math::Math;
 pub use math::Symbols;
+pub use math::escaped;
 pub use math::ink_of;
 pub use math::latex;
 pub use math::law_name;

@@ -116,15 +116,20 @@ impl Law {
     /// each + where one is too wide, and smaller where even that is.
     pub fn set(&self, size: f32, width: f32, height: f32) -> Boxed {
         let numbers = |key: &str| self.numbers(key);
-        let set = |size| {
-            let style = Style { size, large: true, within: false, numbers: Some(&numbers) };
-            self.stacked(style, width)
+        let style = |size| Style { size, large: true, within: false, numbers: Some(&numbers) };
+        let sizes = (0..=SIZES).map(|by| (1.0 - (1.0 - LEAST) * by as f32 / SIZES as f32) * size);
+        // What is a little smaller need not be broken.
+        let whole = |size: &f32| {
+            let widths = self.equations.iter().map(|equation| style(*size).set(equation).width);
+            widths.fold(0.0, f32::max) <= width
         };
-        // What is smaller may break at other places, and then fit.
-        let smaller = (0..=SIZES).map(|by| (1.0 - (1.0 - LEAST) * by as f32 / SIZES as f32) * size);
-        let mut sets = smaller.map(set);
-        let fits = sets.find(|set| set.width <= width && set.height() <= height);
-        fits.unwrap_or_else(|| set(LEAST * size))
+        let unbroken = sizes.clone().take(SIZES / 2).find(whole);
+        let mut sets = sizes.skip_while(|size| unbroken.is_some_and(|unbroken| *size > unbroken));
+        let fits = sets.find_map(|size| {
+            let set = self.stacked(style(size), width);
+            (set.width <= width && set.height() <= height).then_some(set)
+        });
+        fits.unwrap_or_else(|| self.stacked(style(LEAST * size), width))
     }
 
     fn stacked(&self, style: Style<'_>, width: f32) -> Boxed {
@@ -136,7 +141,7 @@ impl Law {
             let whole = style.set(equation);
             let lines = match whole.width <= width {
                 true => vec![whole],
-                false => terms(equation).iter().map(|term| style.set(term)).collect(),
+                false => broken(equation, style, width),
             };
             for (place, line) in lines.into_iter().enumerate() {
                 let beside = left + 1.2 * style.size;
@@ -171,15 +176,36 @@ impl Law {
     }
 }
 
-/// An equation in parts, a new one from each + on that is not within round brackets, and from each =
-/// behind another or a matrix: where there is no room for all of it they stand below each other.
+/// The lines of an equation that is too wide: as many terms in each as fit, but no second =.
+fn broken(equation: &Math, style: Style<'_>, width: f32) -> Vec<Boxed> {
+    let mut lines: Vec<(Vec<Math>, Boxed)> = Vec::new();
+    for term in terms(equation) {
+        let parts = term.parts();
+        if let Some((line, set)) = lines.last_mut()
+            && parts.first() != Some(&Math::Sign('='))
+        {
+            let longer = [&line[..], parts].concat();
+            let with = style.row(&longer);
+            if with.width <= width - style.size {
+                (*line, *set) = (longer, with);
+                continue;
+            }
+        }
+        lines.push((parts.to_vec(), style.row(parts)));
+    }
+    lines.into_iter().map(|(_, set)| set).collect()
+}
+
+/// An equation in parts, a new one from each + on that is not within round brackets, from each ⇔,
+/// and from each = behind another or a matrix: where there is no room for all of it they stand below each other.
 pub fn terms(equation: &Math) -> Vec<Math> {
     let mut terms: Vec<Vec<Math>> = vec![Vec::new()];
     let mut ends = false;
     let mut add = |part: &Math| {
         let equals = *part == Math::Sign('=');
-        let begins = *part == Math::Sign('+') || equals && ends;
-        ends |= equals || matches!(part, Math::Matrix(_));
+        let follows = *part == Math::Sign('⇔');
+        let begins = *part == Math::Sign('+') || follows || equals && ends;
+        ends = !follows && (ends || equals || matches!(part, Math::Matrix(_)));
         match terms.last_mut() {
             Some(term) if !begins || term.is_empty() => term.push(part.clone()),
             _ => terms.push(vec![part.clone()]),

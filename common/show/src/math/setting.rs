@@ -122,6 +122,10 @@ impl<'a> Style<'a> {
         let Math::Sign(sign) = parts[place] else {
             let apart = match parts[place] {
                 Math::Word(ref word) if word.starts_with(char::is_alphabetic) => 0.17,
+                // Of cos θ.
+                Math::Symbol(_) if matches!(before, Some(Math::Word(word)) if word.starts_with(char::is_alphabetic)) => {
+                    0.17
+                }
                 Math::Fraction(..) => 0.06,
                 _ => 0.0,
             };
@@ -225,7 +229,9 @@ impl<'a> Style<'a> {
     }
 
     fn fraction(self, above: &Math, below: &Math) -> Boxed {
-        let part = if self.large { Self { within: true, ..self } } else { self.scaled(0.8) };
+        // One within another is smaller.
+        let alone = self.large && !self.within;
+        let part = if alone { Self { within: true, ..self } } else { self.scaled(0.8) };
         let (above, below) = (part.row(above.parts()), part.row(below.parts()));
         let (axis, bar, gap) = (AXIS * self.size, BAR * self.size, 0.14 * part.size);
         let width = above.width.max(below.width) + 0.16 * self.size;
