@@ -32,11 +32,11 @@ function showClass() {
   if (stop) {
     $("way").value = stop.number / stop.count;
     $("slide").textContent = `${stop.slide} · ${stop.number}/${stop.count}`;
-    $("subtitle").textContent = stop.subtitle;
+    $("subtitle").innerHTML = stop.subtitle;
     $("mark").textContent = stop.changed ? text("changed here · Home: back to the stop")
       : stop.asks ? text("R: a question") : "";
-    $("asked").textContent = stop.question;
-    $("told").textContent = stop.text;
+    $("asked").innerHTML = stop.question;
+    $("told").innerHTML = stop.text;
   }
   $("stops").hidden = !listed;
   if (!listed) return;
