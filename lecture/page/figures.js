@@ -2,11 +2,11 @@
 
 class Figure {
   constructor(place) {
-    this.name = place.dataset.figure;
+    [this.name, this.about] = [place.dataset.figure, place.dataset.about];
     const canvas = element("canvas", {});
     place.append(canvas);
     // What it is about is at hand; its other controls come after its text.
-    const [box, others] = ["controls", "controls"].map((className) => element("div", { className }));
+    const [box, others] = [1, 2].map(() => element("div", { className: "controls" }));
     this.more = element("details", { className: "others" }, element("summary", {}), others);
     place.after(box);
     place.parentNode.append(this.more);
@@ -34,10 +34,13 @@ class Figure {
 
   refresh(moving = false) {
     this.state = asked({ state: { of: this.name, spoken } });
-    const groups = this.state.groups.map((group) => ({ ...group, settings: [...group.settings] }));
-    const about = groups.find(({ settings }) => settings.length);
-    this.control.show(about ? [{ name: "", settings: [about.settings.shift()] }] : []);
-    const rest = groups.filter(({ settings }) => settings.length);
+    const { groups } = this.state;
+    const isAbout = ({ name }) => name === this.about;
+    const settings = groups.flatMap((group) => group.settings.filter(isAbout));
+    this.control.show([{ name: "", settings }]);
+    const without = (group) =>
+      ({ ...group, settings: group.settings.filter((setting) => !isAbout(setting)) });
+    const rest = groups.map(without).filter(({ settings }) => settings.length);
     this.others.show(rest);
     this.more.hidden = !rest.length;
     this.more.firstChild.textContent = text("More controls");

@@ -41,8 +41,9 @@ function take(place) {
   clearTimeout(looking);
   const before = looked ? looked[0] : state.address;
   const { address } = place.dataset;
+  const others = (part, at) => !at || !partsOf(address).includes(part);
   if (looked || !holds(place)) showOnly(address);
-  else open(partsOf(before).filter((part, at) => !at || !partsOf(address).includes(part)).join("&"));
+  else open(partsOf(before).filter(others).join("&"));
   looked = null;
   showOffers();
   writeAddress(before);

@@ -12,7 +12,8 @@ function showStep() {
   const essay = handout(state.step);
   const shown = covered ? $(`cover-${language}`) : essay;
   for (const link of $("steps").querySelectorAll("a")) {
-    if (!covered && link.hash === `#step${two(state.step)}`) link.setAttribute("aria-current", "page");
+    const is = !covered && link.hash === `#step${two(state.step)}`;
+    if (is) link.setAttribute("aria-current", "page");
     else link.removeAttribute("aria-current");
   }
   for (const article of document.querySelectorAll("article"))

@@ -172,6 +172,7 @@ fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str, is_tried: bool) -> Vec<Even
     let mut paragraph = 0;
     let (mut image, mut alternative) = (false, String::new());
     let mut caption: Option<(String, String)> = None;
+    let mut about = String::new();
     // Whether the end of an item's first sentence is looked for, and whether it was found.
     let (mut guessing, mut folded) = (false, false);
     for event in part {
@@ -187,7 +188,7 @@ fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str, is_tried: bool) -> Vec<Even
             Event::End(TagEnd::Paragraph) => match caption.take() {
                 Some((path, caption)) => {
                     events.truncate(paragraph);
-                    events.push(Event::Html(figure(&path, &caption, &alternative).into()));
+                    events.push(Event::Html(figure(&path, &caption, &alternative, &about).into()));
                 }
                 None => events.push(event),
             },
@@ -249,8 +250,9 @@ fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str, is_tried: bool) -> Vec<Even
                 events.push(event);
                 events.push(Event::Html("</div>".into()));
             }
-            Event::Start(Tag::Link { dest_url, .. }) => {
+            Event::Start(Tag::Link { dest_url, title, .. }) => {
                 if dest_url.starts_with("examples/") {
+                    about = title.to_string();
                     caption = Some((dest_url.to_string(), String::new()));
                 }
                 let step = dest_url.strip_prefix("../step").and_then(|rest| rest.get(..2));
@@ -293,12 +295,12 @@ fn commands(name: &str, code: &str) -> String {
 }
 
 /// The figure whose program is in `path`, in which this is seen: a place for it, of the shape of its
-/// picture, and what it shows.
-fn figure(path: &str, caption: &str, seen: &str) -> String {
+/// picture, with the control that it is `about`, and what it shows.
+fn figure(path: &str, caption: &str, seen: &str, about: &str) -> String {
     let name = path.trim_start_matches("examples/").trim_end_matches(".rs");
-    let (caption, seen) = (escape(caption), escape(seen));
+    let [caption, seen, about] = [caption, seen, about].map(escape);
     format!(
-        "<figure><div class=\"still {name}\" data-figure=\"{name}\" role=\"img\" aria-label=\"{seen}\"></div>\
+        "<figure><div class=\"still {name}\" data-figure=\"{name}\" data-about=\"{about}\" role=\"img\" aria-label=\"{seen}\"></div>\
          <figcaption>{caption}</figcaption></figure>"
     )
 }

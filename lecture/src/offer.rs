@@ -47,7 +47,8 @@ pub(crate) fn offer(name: &str, code: &str) -> Option<String> {
 /// `light.x=-4` as an equation.
 fn equal(setting: &str) -> String {
     let (name, value) = setting.split_once('=').unwrap_or((setting, ""));
-    format!("{} = {}", formula(name), escape(&value.replace('-', "−")))
+    // It is not broken within.
+    format!("{}\u{a0}=\u{a0}{}", formula(name), escape(&value.replace('-', "−")))
 }
 
 fn formula(name: &str) -> String {
