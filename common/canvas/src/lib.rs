@@ -23,6 +23,7 @@ pub use font::MathFont;
 pub use ink::Ink;
 pub use pixels::LESS;
 pub use pixels::MORE;
+pub use pixels::add_rays;
 pub use pixels::count_off;
 pub use pixels::difference;
 pub use pixels::encode_means;

@@ -5,13 +5,19 @@ use image::RgbImage;
 
 use crate::encode;
 
-/// Encodes a row of pixels, each the mean of a square of `samples` × `samples` of the `colors`.
-pub fn encode_means(colors: &[Color], samples: usize, pixels: &mut [u8]) {
-    let width = pixels.len() / 3;
-    for (col, pixel) in pixels.chunks_exact_mut(3).enumerate() {
-        let rows = (0..samples).map(|row| samples * (row * width + col));
-        let sum: Color = rows.flat_map(|first| &colors[first..][..samples]).sum();
-        pixel.copy_from_slice(&encode(sum / (samples * samples) as f32));
+/// Adds to each of the `sums`, one a pixel, the colours of its rays: those beside each other in a line
+/// of `colors`.
+pub fn add_rays(sums: &mut [Color], colors: &[Color]) {
+    let rays = (colors.len() / sums.len().max(1)).max(1);
+    for (sum, colors) in sums.iter_mut().zip(colors.chunks_exact(rays)) {
+        colors.iter().for_each(|color| *sum += *color);
+    }
+}
+
+/// Encodes pixels, each the mean of so many `rays`, whose colours are summed.
+pub fn encode_means(sums: &[Color], rays: usize, pixels: &mut [u8]) {
+    for (sum, pixel) in sums.iter().zip(pixels.chunks_exact_mut(3)) {
+        pixel.copy_from_slice(&encode(*sum / rays as f32));
     }
 }
 
