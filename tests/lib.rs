@@ -7,6 +7,7 @@
 //! Tests that need a program besides Rust are ignored, and name it: `cargo test -- --ignored`.
 
 pub mod chance;
+pub mod deck;
 pub mod hands;
 pub mod laws;
 pub mod prelude;

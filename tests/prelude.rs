@@ -25,6 +25,7 @@ pub use telling::*;
 pub use tempfile::tempdir;
 
 pub use crate::chance::*;
+pub use crate::deck::*;
 pub use crate::hands::drag;
 pub use crate::hands::*;
 pub use crate::laws::*;

@@ -12,7 +12,7 @@ class Figure {
     place.parentNode.append(this.more);
     const layers = [{ figure: this.name }];
     this.drawing = new Drawing(() => ({ layers, size: this.state.size }), (made, drawn) => {
-      put(canvas, this.name, this.state.size, made, 8);
+      put(canvas, this.name, this.state.size, made);
       place.dataset.drawn = drawn;
     });
     const own = (box) =>

@@ -34,6 +34,10 @@ impl Lesson {
                 }
                 Event::Start(Tag::Image { .. }) => is_figure = true,
                 Event::Text(part) | Event::Code(part) => text.push_str(&part),
+                // A vector's name stays bold.
+                Event::Start(Tag::Strong) | Event::End(TagEnd::Strong) if section == 1 => {
+                    text.push_str("**")
+                }
                 Event::SoftBreak => text.push(' '),
                 Event::DisplayMath(latex) if section == 2 => {
                     for equation in latex.split(r"\qquad") {

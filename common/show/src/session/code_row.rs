@@ -5,7 +5,6 @@ use std::ops::Range;
 use super::measures::ACCENT;
 use super::measures::ALTERED;
 use super::measures::FAINT;
-use super::measures::LINE;
 use super::measures::REMOVED;
 use super::measures::TEXT;
 use crate::Anchor;
@@ -19,6 +18,7 @@ use crate::CodeLine;
 use crate::Font;
 use crate::Ink;
 use crate::Math;
+use crate::prose::LINE;
 use telling::LineName;
 
 const COMMENT: Ink = Ink::new(134, 150, 172);

@@ -20,7 +20,6 @@ pub(super) const GROOVE: Ink = Ink::new(66, 74, 90);
 pub(super) const BAR: Ink = Ink::new(128, 140, 160);
 
 /// Heights and widths in ems.
-pub(super) const LINE: f32 = 1.2;
 pub(super) const HIGH: f32 = 1.5;
 pub(super) const MARGIN: f32 = 0.6;
 pub(super) const INDENT: f32 = 0.95;

@@ -9,7 +9,6 @@ use super::measures::FAINT;
 use super::measures::GROOVE;
 use super::measures::HIGH;
 use super::measures::INDENT;
-use super::measures::LINE;
 use super::measures::MARGIN;
 use super::measures::NAME;
 use super::measures::NUMBER;
@@ -25,6 +24,9 @@ use crate::Letters;
 use crate::Math;
 use crate::Setting;
 use crate::plain;
+use crate::prose::LINE;
+use crate::prose::count_lines;
+use crate::prose::draw_text;
 use telling::LineName;
 
 /// What can be folded.
@@ -145,13 +147,13 @@ impl Row {
             }
             Self::Equation(math) => Boxed::display(math, em, width).height() + 0.5 * em,
             Self::Key(key, effect) => {
-                let effect = Font::wrap(em, effect, width - INDENT * em).len();
-                lines(Font::wrap(em, key, width).len() + effect) + 0.2 * em
+                let effect = count_lines(em, effect, width - INDENT * em);
+                lines(count_lines(em, key, width) + effect) + 0.2 * em
             }
-            Self::Listed(text, _) => lines(Font::wrap(em, text, width).len()) + 0.3 * em,
+            Self::Listed(text, _) => lines(count_lines(em, text, width)) + 0.3 * em,
             Self::Text(text, _) => {
                 let (indent, text) = indented(text, em);
-                lines(Font::wrap(em, text, width - indent).len())
+                lines(count_lines(em, text, width - indent))
             }
         }
     }
@@ -307,16 +309,6 @@ fn draw_fold(canvas: &mut Canvas<'_>, (x, y): (f32, f32), r: f32, open: bool, in
         false => [(x - 0.5 * r, y - r), (x - 0.5 * r, y + r), (x + 0.8 * r, y)],
     };
     canvas.triangle(corners, ink);
-}
-
-/// Writes a paragraph from the top of `area` on; where it ends.
-pub(super) fn draw_text(canvas: &mut Canvas<'_>, area: Area, em: f32, ink: Ink, text: &str) -> f32 {
-    let mut top = area.top;
-    for line in Font::wrap(em, text, area.width) {
-        canvas.text_within((area.left, top), Anchor::TopLeft, em, ink, &line, area.width);
-        top += LINE * em;
-    }
-    top
 }
 
 fn draw_line(
