@@ -8,6 +8,7 @@ mod browser;
 mod markup;
 mod page_class;
 mod page_equations;
+mod page_essay;
 mod page_hands;
 mod page_looks;
 mod page_pictures;
