@@ -12,6 +12,8 @@ const encoded = (address) =>
 /** Shows what an address says. */
 function open(address) {
   act({ open: decoded(address) });
+  // Who leads the class has the keys at once.
+  if (state.stop) $("picture").focus({ preventScroll: true });
 }
 
 let written = "";

@@ -17,7 +17,6 @@ function showStep() {
   const title = titleOf(state.step);
   document.title = `${title} · ${text("Ray tracing, step by step")}`;
   $("title").textContent = title;
-  $("now").setAttribute("aria-label", title);
 }
 
 /** Shows what is read; where another text was read `before`, begins at its top. */

@@ -50,6 +50,7 @@ const SCRIPT: &str = concat!(
     include_str!("../page/stage.js"),
     include_str!("../page/step.js"),
     include_str!("../page/explanation.js"),
+    include_str!("../page/gist.js"),
     include_str!("../page/code.js"),
     include_str!("../page/desk.js"),
     include_str!("../page/controls.js"),
