@@ -234,7 +234,10 @@ impl Session {
     pub(super) fn do_act(&mut self, act: Act) {
         let (shown, reading) = (self.shown(), self.desk.reading());
         let what_ifs = self.desk.what_ifs().len();
-        self.act(act);
+        let line = if let Act::Walk(by) = act { self.line_after(by) } else { None };
+        // What was folded by hand may hide it.
+        self.folds.retain(|(_, open)| *open || line.is_none());
+        self.act(line.map_or(act, Act::Choose));
         if self.desk.what_ifs().len() > what_ifs {
             // The new sliders are the first, and keys act on them.
             self.select_first();
