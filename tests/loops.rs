@@ -1,7 +1,11 @@
 //! Which ray belongs to which pixel, and what a pixel loop may do.
 
+use std::rc::Rc;
+use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
 use std::sync::atomic::Ordering;
+use std::thread;
+use std::time::Duration;
 
 use lecture::step07_specular::render::render;
 use lecture::step07_specular::render::viewing_ray;
@@ -62,12 +66,20 @@ fn rays_of_a_pixel_are_averaged_before_encoding() {
 }
 
 /// A step whose pixel loop is the slide's, over the whole picture or over the rows asked for, and goes
-/// so many columns and rows too far. It counts its calls for pictures of more than four pixels.
-#[derive(Default)]
+/// so many columns and rows too far. It counts its calls for pictures of more than four pixels, and takes
+/// so long for each.
+#[derive(Clone, Default)]
 struct Loops {
     whole: bool,
     more: (usize, usize),
-    calls: AtomicUsize,
+    calls: Arc<AtomicUsize>,
+    time: Duration,
+}
+
+impl Loops {
+    fn calls(&self) -> usize {
+        self.calls.load(Ordering::Relaxed)
+    }
 }
 
 impl Step for Loops {
@@ -79,7 +91,10 @@ impl Step for Loops {
 
     fn render(&self, _: &dyn Camera, image: &mut Image<'_>) {
         let (width, height) = (image.width(), image.height());
-        self.calls.fetch_add(usize::from(width * height > 4), Ordering::Relaxed);
+        if width * height > 4 {
+            self.calls.fetch_add(1, Ordering::Relaxed);
+            thread::sleep(self.time);
+        }
         let rows = if self.whole { 0..height } else { image.rows() };
         for row in rows.start..rows.end + self.more.1 {
             for col in 0..width + self.more.0 {
@@ -88,12 +103,10 @@ impl Step for Loops {
             }
         }
     }
+}
 
-    fn tell(&self, _: &dyn Camera, _: Pixel, _: &Recorder) -> Color {
-        Color::ZERO
-    }
-
-    fn probe(&self, _: &dyn Camera, _: Pixel, _: &Probe<'_>) -> Color {
+impl Tell for Loops {
+    fn tell(&self, _: &dyn Camera, _: Pixel, _: &impl Listener) -> Color {
         Color::ZERO
     }
 }
@@ -112,7 +125,7 @@ fn a_loop_over_the_whole_picture_draws_it_and_is_called_once() {
             let frame = frame(&step, (7, 5), samples);
             let found = if parallel { render_parallel(&frame, |_| ()) } else { frame.render() };
             assert!(found == expected, "another picture: {samples}, on all cores: {parallel}");
-            assert_eq!(step.calls.into_inner(), 1, "once, not once a row");
+            assert_eq!(step.calls(), 1, "once, not once a row");
         }
         // Whoever asks for some of the rows gets these.
         for rows in 1..=5 {
@@ -125,12 +138,36 @@ fn a_loop_over_the_whole_picture_draws_it_and_is_called_once() {
     }
     let step = Loops::default();
     frame(&step, (7, 500), 1).render();
-    assert_eq!(step.calls.into_inner(), 500, "a row at a time, so that little memory does");
+    assert_eq!(step.calls(), 500, "a row at a time, so that little memory does");
     for (width, height, samples) in [(100_000, 1000, 16), (10_000, 10_000, 1), (1, 100_000, 16)] {
-        let rows = frame(&whole(), (width, height), samples).rows_at_a_time();
-        let colors = samples * samples * width * rows;
-        assert!((1..=height).contains(&rows) && colors <= 1 << 26, "{rows} rows, {colors} colours");
+        let lines = frame(&whole(), (width, height), samples).lines_at_a_time();
+        let (rows, colors) = (lines / samples, samples * width * lines);
+        assert!((1..=height).contains(&rows) && colors <= 1 << 25, "{rows} rows, {colors} colours");
     }
+}
+
+#[test]
+fn a_window_looks_for_a_click_while_a_row_of_many_rays_is_drawn() {
+    // As long as there is between two looks: there is time for one line of rays.
+    let step = Loops { time: Duration::from_millis(5), ..Loops::default() };
+    let made = step.clone();
+    let make: Make = Rc::new(move || Box::new(Lesson(Box::new(made.clone()))));
+    let (size, samples) = (size(4, 3), 16);
+    let desk = Desk::new(vec![Program::new("slow", "", size, make)], 0);
+    let camera = || Box::new(Positions) as Box<dyn Camera>;
+    let mut drawing = Drawing::new(size, samples, camera(), Duration::MAX);
+    let mut looks = Vec::new();
+    while !drawing.is_complete() {
+        let (before, drafting) = (step.calls(), drawing.is_drafting());
+        drawing.work(&desk.pictures()[0]);
+        let lines = step.calls() - before;
+        assert!(drafting || lines <= rayon::current_num_threads(), "{lines} lines at a time");
+        looks.push(lines);
+    }
+    assert_eq!(looks.iter().sum::<usize>(), 3 + 16 * 3, "a draft, and then all: {looks:?}");
+    let quick = Loops::default();
+    let frame = Frame { step: &quick, camera: &Positions, size, samples };
+    assert!(*drawing.picture() == frame.render());
 }
 
 #[test]

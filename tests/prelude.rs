@@ -21,6 +21,7 @@ pub use proptest::sample::select;
 pub use rayon::prelude::*;
 pub use serde_json::json;
 pub use show::*;
+pub use telling::*;
 pub use tempfile::tempdir;
 
 pub use crate::chance::*;

@@ -10,7 +10,7 @@ const GLIDE_MS = 250;
 
 /** Has the pictures glide to the stop; at once where that takes long or less motion is wanted. */
 function glide() {
-  const { width, height } = $("now");
+  const [width, height] = state.size;
   const slow = stage.cost * width * height > GLIDE_MS
     || matchMedia("(prefers-reduced-motion: reduce)").matches;
   const start = performance.now();

@@ -1,17 +1,23 @@
-//! Pixels in a row: encoded, compared with those of another picture, and packed.
+//! Pixels in a row: encoded, compared with those of another picture, and packed as others take them.
 
 use common::Color;
 use image::RgbImage;
 
 use crate::encode;
 
-/// Encodes a row of pixels, each the mean of a square of `samples` × `samples` of the `colors`.
-pub fn encode_means(colors: &[Color], samples: usize, pixels: &mut [u8]) {
-    let width = pixels.len() / 3;
-    for (col, pixel) in pixels.chunks_exact_mut(3).enumerate() {
-        let rows = (0..samples).map(|row| samples * (row * width + col));
-        let sum: Color = rows.flat_map(|first| &colors[first..][..samples]).sum();
-        pixel.copy_from_slice(&encode(sum / (samples * samples) as f32));
+/// Adds to each of the `sums`, one a pixel, the colours of its rays: those beside each other in a line
+/// of `colors`.
+pub fn add_rays(sums: &mut [Color], colors: &[Color]) {
+    let rays = (colors.len() / sums.len().max(1)).max(1);
+    for (sum, colors) in sums.iter_mut().zip(colors.chunks_exact(rays)) {
+        colors.iter().for_each(|color| *sum += *color);
+    }
+}
+
+/// Encodes pixels, each the mean of so many `rays`, whose colours are summed.
+pub fn encode_means(sums: &[Color], rays: usize, pixels: &mut [u8]) {
+    for (sum, pixel) in sums.iter().zip(pixels.chunks_exact_mut(3)) {
+        pixel.copy_from_slice(&encode(*sum / rays as f32));
     }
 }
 
@@ -50,4 +56,34 @@ pub fn pack(picture: &RgbImage, packed: &mut Vec<u32>) {
         let [r, g, b] = pixel.0;
         u32::from_be_bytes([0, r, g, b])
     }));
+}
+
+/// The bytes of `picture` as browsers take them: red, green, blue, and how much it covers, all.
+pub fn rgba(picture: &RgbImage) -> Vec<u8> {
+    let mut rgba = vec![255; picture.len() / 3 * 4];
+    for (to, from) in rgba.chunks_exact_mut(4).zip(picture.chunks_exact(3)) {
+        to[..3].copy_from_slice(from);
+    }
+    rgba
+}
+
+/// What `draw` draws on nothing, as browsers take it. It is called twice: over black and over white it
+/// looks alike where it covers all, and tells elsewhere how much of either is seen through it.
+pub fn on_nothing(width: u32, height: u32, draw: &mut dyn FnMut(&mut RgbImage)) -> Vec<u8> {
+    let [black, white] = [0, 255].map(|ground| {
+        let bytes = vec![ground; 3 * width as usize * height as usize];
+        let mut picture = RgbImage::from_raw(width, height, bytes).unwrap_or_default();
+        draw(&mut picture);
+        picture
+    });
+    let mut rgba = vec![0; black.len() / 3 * 4];
+    let pixels = black.chunks_exact(3).zip(white.chunks_exact(3));
+    for (to, (black, white)) in rgba.chunks_exact_mut(4).zip(pixels) {
+        let cover = 255 - white[1].saturating_sub(black[1]);
+        if cover > 0 {
+            let color = |code: u8| (255 * u32::from(code) / u32::from(cover)).min(255) as u8;
+            to.copy_from_slice(&[color(black[0]), color(black[1]), color(black[2]), cover]);
+        }
+    }
+    rgba
 }

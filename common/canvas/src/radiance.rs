@@ -24,14 +24,9 @@ const MAGIC: &[u8] = b"PF\n";
 const LITTLE_ENDIAN: &[u8] = b"-1.0\n";
 
 impl Radiance {
-    /// A row more, each of its pixels the mean of a square of `samples` × `samples` of the `colors`.
-    pub fn push_means(&mut self, colors: &[Color], samples: usize) {
-        let width = self.width;
-        self.colors.extend((0..width).map(|col| {
-            let rows = (0..samples).map(|row| samples * (row * width + col));
-            let sum: Color = rows.flat_map(|first| &colors[first..][..samples]).sum();
-            sum / (samples * samples) as f32
-        }));
+    /// More pixels, each the mean of so many `rays`, whose colours are summed.
+    pub fn push_means(&mut self, sums: &[Color], rays: usize) {
+        self.colors.extend(sums.iter().map(|sum| *sum / rays as f32));
     }
 
     /// Width and height, in pixels.

@@ -8,11 +8,12 @@ use image::RgbImage;
 
 use crate::text;
 use canvas::Radiance;
+use canvas::add_rays;
 use canvas::encode_means;
 use common::Camera;
 use common::Color;
 use common::Image;
-use common::Step;
+use telling::AnyStep;
 
 /// Width and height of a picture, in pixels: each from 1 to [`MAX_SIDE`](Self::MAX_SIDE),
 /// together at most [`MAX_PIXELS`](Self::MAX_PIXELS) pixels.
@@ -121,7 +122,7 @@ impl fmt::Display for Size {
 #[derive(Clone, Copy)]
 pub struct Frame<'a> {
     /// What is seen.
-    pub step: &'a dyn Step,
+    pub step: &'a dyn AnyStep,
     /// Where it is seen from.
     pub camera: &'a dyn Camera,
     /// How large the picture is.
@@ -135,7 +136,7 @@ pub struct Frame<'a> {
 /// # Errors
 ///
 /// When it does not: where it went, and what to loop over, in one sentence.
-pub fn check_loop(step: &dyn Step) -> Result<(), String> {
+pub fn check_loop(step: &dyn AnyStep) -> Result<(), String> {
     let mut colors = [Color::ZERO; 12];
     let mut image = Image::new(4, 3, 0, &mut colors);
     step.render(&*step.view().camera(4.0 / 3.0), &mut image);
@@ -149,16 +150,30 @@ pub fn check_loop(step: &dyn Step) -> Result<(), String> {
     })
 }
 
+/// Some rows of a picture in the making.
+pub(crate) struct Band {
+    pub(crate) first: usize,
+    /// The row below the last.
+    pub(crate) end: usize,
+    /// The line of rays that is next.
+    line: usize,
+    /// Of the rays so far, a colour for each pixel.
+    sums: Vec<Color>,
+    /// Of the lines that are rendered at a time.
+    colors: Vec<Color>,
+}
+
 impl Frame<'_> {
     /// The most rays a pixel are this many squared.
     pub const MAX_SAMPLES: usize = 16;
 
-    /// The most colours that a loop over the whole picture fills at a time: a gigabyte.
-    const MOST_COLORS: usize = 1 << 26;
+    /// The most colours that a loop over the whole picture fills at a time: with their sums a gigabyte.
+    const MOST_COLORS: usize = 1 << 25;
 
-    /// How many rows to [render](Self::render_rows) at a time: one, or, where the step's loop draws the
-    /// whole picture whatever rows it is asked for, all of them, or as many as fit into memory.
-    pub fn rows_at_a_time(&self) -> usize {
+    /// How many lines of rays, N of which are a row of pixels, to render at a time: one, or, where the
+    /// step's loop draws the whole picture whatever it is asked for, those of all rows, or of as many as
+    /// fit into memory.
+    pub fn lines_at_a_time(&self) -> usize {
         let mut colors = [Color::ZERO; 2];
         let mut image = Image::new(2, 2, 1, &mut colors);
         self.step.render(self.camera, &mut image);
@@ -166,37 +181,63 @@ impl Frame<'_> {
             return 1;
         }
         let colors_a_row = self.samples * self.samples * self.size.width();
-        (Self::MOST_COLORS / colors_a_row).clamp(1, self.size.height())
+        self.samples * (Self::MOST_COLORS / colors_a_row).clamp(1, self.size.height())
     }
 
-    /// Renders rows into `rgb`, three bytes a pixel, from `first_row` on, as many as fit.
+    /// The rows from `first` on, before any ray, of which so many `lines` are rendered at a time; none
+    /// below the last row.
+    pub(crate) fn band(&self, first: usize, lines: usize) -> Option<Band> {
+        let (n, width) = (self.samples, self.size.width());
+        let rows = lines.div_ceil(n).min(self.size.height() - first);
+        let colors = vec![Color::ZERO; n * width * lines.min(n * rows)];
+        let sums = vec![Color::ZERO; width * rows];
+        let band = Band { first, end: first + rows, line: n * first, sums, colors };
+        (rows > 0).then_some(band)
+    }
+
+    /// Renders the next lines of `band`; how many.
+    pub(crate) fn go_on(&self, band: &mut Band) -> usize {
+        let (n, width, height) = (self.samples, self.size.width(), self.size.height());
+        let mut image = Image::new(n * width, n * height, band.line, &mut band.colors);
+        self.step.render(self.camera, &mut image);
+        for line in band.colors.chunks(n * width) {
+            let row = band.line / n - band.first;
+            add_rays(&mut band.sums[width * row..][..width], line);
+            band.line += 1;
+        }
+        band.colors.len() / (n * width)
+    }
+
+    /// Whether all of `band` is rendered.
+    pub(crate) fn is_complete(&self, band: &Band) -> bool {
+        band.line == self.samples * band.end
+    }
+
+    /// The pixels of a band that is complete, three bytes each, into `rgb`.
+    pub(crate) fn encode(&self, band: &Band, rgb: &mut [u8]) {
+        encode_means(&band.sums, self.samples * self.samples, rgb);
+    }
+
+    /// Renders rows into `rgb`, three bytes a pixel, from `first_row` on, as many as fit and there are.
     ///
     /// With N samples the step renders a picture N times as wide and high, and each pixel is the
     /// mean of N × N of its pixels, taken before encoding.
-    ///
-    /// # Panics
-    ///
-    /// When `rgb` reaches below the picture's last row.
     pub fn render_rows(&self, first_row: usize, rgb: &mut [u8]) {
-        let (n, bytes) = (self.samples, 3 * self.size.width());
-        self.rows(first_row..first_row + rgb.len() / bytes, |row, colors| {
-            encode_means(colors, n, &mut rgb[bytes * (row - first_row)..][..bytes]);
+        let bytes = 3 * self.size.width();
+        self.bands(first_row..first_row + rgb.len() / bytes, |band| {
+            self.encode(band, &mut rgb[bytes * (band.first - first_row)..]);
         });
     }
 
-    /// Has `done` take each of the `rows`: the colours of all rays in it, N rows below each other.
-    fn rows(&self, rows: Range<usize>, mut done: impl FnMut(usize, &[Color])) {
-        let (n, width, height) = (self.samples, self.size.width(), self.size.height());
-        let band = self.rows_at_a_time().min(rows.len()).max(1);
-        let mut colors = vec![Color::ZERO; n * width * n * band];
-        for first in rows.clone().step_by(band) {
-            let count = band.min(rows.end - first);
-            let colors = &mut colors[..n * width * n * count];
-            let mut image = Image::new(n * width, n * height, n * first, colors);
-            self.step.render(self.camera, &mut image);
-            for (row, colors) in (first..).zip(colors.chunks(n * n * width)) {
-                done(row, colors);
+    /// Has `done` take all of the `rows`, band by band.
+    fn bands(&self, rows: Range<usize>, mut done: impl FnMut(&Band)) {
+        let (mut first, lines) = (rows.start, self.lines_at_a_time());
+        while let Some(mut band) = self.band(first, lines.min(self.samples * (rows.end - first))) {
+            while !self.is_complete(&band) {
+                self.go_on(&mut band);
             }
+            done(&band);
+            first = band.end;
         }
     }
 
@@ -204,7 +245,8 @@ impl Frame<'_> {
     pub fn radiance(&self) -> Radiance {
         let (width, height) = (self.size.width(), self.size.height());
         let mut picture = Radiance { width, colors: Vec::with_capacity(width * height) };
-        self.rows(0..height, |_, colors| picture.push_means(colors, self.samples));
+        let rays = self.samples * self.samples;
+        self.bands(0..height, |band| picture.push_means(&band.sums, rays));
         picture
     }
 

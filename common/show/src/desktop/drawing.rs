@@ -1,27 +1,28 @@
 //! Pictures rendered on all cores: at once, or a slice of time after the other.
 
 use std::mem;
+use std::sync::Mutex;
+use std::sync::MutexGuard;
+use std::sync::PoisonError;
+use std::sync::atomic::AtomicUsize;
+use std::sync::atomic::Ordering;
 use std::time::Duration;
 use std::time::Instant;
 
 use image::RgbImage;
-use rayon::iter::IndexedParallelIterator;
-use rayon::slice::ParallelSliceMut;
 
 use crate::Canvas;
 use crate::Frame;
 use crate::Language;
 use crate::Size;
 use crate::Wanted;
+use crate::frame::Band;
 use common::Camera;
-use common::Step;
 
-/// How long the picture is worked on before the window is looked after again.
-const SLICE: Duration = Duration::from_millis(12);
+/// How long is rendered between two looks at keys and mouse: a finger is on a button for longer.
+const BATCH: Duration = Duration::from_millis(8);
 
-/// How long the rows take that are rendered between two looks at the clock: for a draft, all of
-/// them, unless they take much longer than was expected.
-const BATCH: Duration = Duration::from_millis(4);
+/// How long for a draft, which is to be whole before what is changed next begins another.
 const DRAFT_BATCH: Duration = Duration::from_millis(50);
 
 /// The coarsest grid has one ray for a square with sides of so many pixels.
@@ -38,6 +39,8 @@ pub struct Drawing {
     draft: RgbImage,
     /// The pass that is being rendered; none when all are done.
     pass: Option<Pass>,
+    /// What is left of it.
+    left: Left,
     finished: Finished,
     /// How long a ray took in the last pass, in seconds.
     cost: f64,
@@ -59,24 +62,21 @@ struct Pass {
     /// A square with sides of so many pixels has the same colour.
     grid: usize,
     samples: usize,
-    row: usize,
+    /// How many lines of rays are rendered.
+    lines: usize,
     time: Duration,
     draft: bool,
 }
 
 impl Pass {
     fn new(grid: usize, samples: usize, draft: bool) -> Self {
-        Self { grid, samples, row: 0, time: Duration::ZERO, draft }
+        Self { grid, samples, lines: 0, time: Duration::ZERO, draft }
     }
 
     fn size(&self, full: Size) -> Size {
         let coarse = |pixels: usize| pixels.div_ceil(self.grid);
         // At least one pixel, and no more than the full size has.
         Size::new(coarse(full.width()), coarse(full.height())).unwrap_or(full)
-    }
-
-    fn rays_per_row(&self, full: Size) -> usize {
-        self.size(full).width() * self.samples * self.samples
     }
 }
 
@@ -90,6 +90,7 @@ impl Drawing {
             picture: black(size),
             draft: black(size),
             pass: None,
+            left: Left::default(),
             finished: Finished { grid: 1, samples, time: Duration::ZERO },
             cost: 1e-6,
         };
@@ -148,44 +149,31 @@ impl Drawing {
         let pass = Pass::new(grid, 1, true);
         self.draft = black(pass.size(size));
         self.pass = Some(pass);
+        self.left = Left::default();
     }
 
-    /// Renders for a slice of time, or until a pass is done; whether one was.
+    /// Renders for a while, or until a pass is done; whether one was.
     pub fn work(&mut self, wanted: &Wanted<'_>) -> bool {
-        let start = Instant::now();
-        while let Some(mut pass) = self.pass {
-            self.batch(wanted.step(), &mut pass);
-            if pass.row == pass.size(self.size).height() {
-                if pass.draft {
-                    self.enlarge();
-                }
-                wanted.draw_over(&mut self.picture);
-                self.finish(pass);
-                return true;
-            }
-            self.pass = Some(pass);
-            if start.elapsed() > SLICE {
-                break;
-            }
-        }
-        false
-    }
-
-    fn batch(&mut self, step: &dyn Step, pass: &mut Pass) {
-        let start = Instant::now();
-        let size = pass.size(self.size);
-        let row_cost = self.cost * pass.rays_per_row(self.size) as f64;
-        let batch = if pass.draft { DRAFT_BATCH } else { BATCH };
-        let rows = (batch.as_secs_f64() / row_cost) as usize;
-        let frame = Frame { step, camera: &*self.camera, size, samples: pass.samples };
-        let picture = if pass.draft { &mut self.draft } else { &mut self.picture };
-        let band = frame.rows_at_a_time();
-        let count = rows.max(rayon::current_num_threads()).div_ceil(band);
-        let bands = picture.par_chunks_mut(3 * size.width() * band).enumerate();
-        let bands = bands.skip(pass.row / band).take(count);
-        on_all_cores(bands, |(index, rgb)| frame.render_rows(index * band, rgb));
+        let Some(mut pass) = self.pass else { return false };
+        let (start, size) = (Instant::now(), pass.size(self.size));
+        let frame =
+            Frame { step: wanted.step(), camera: &*self.camera, size, samples: pass.samples };
+        let (picture, limit) = match pass.draft {
+            true => (&mut self.draft, DRAFT_BATCH),
+            false => (&mut self.picture, BATCH),
+        };
+        pass.lines += render(&frame, picture, &mut self.left, limit, |_| ());
         pass.time += start.elapsed();
-        pass.row = (pass.row + count * band).min(size.height());
+        self.pass = Some(pass);
+        let is_done = pass.lines == size.height() * pass.samples;
+        if is_done {
+            if pass.draft {
+                self.enlarge();
+            }
+            wanted.draw_over(&mut self.picture);
+            self.finish(pass);
+        }
+        is_done
     }
 
     /// Makes the whole draft the picture.
@@ -203,6 +191,7 @@ impl Drawing {
         let Pass { grid, samples, time, .. } = pass;
         self.learn(&pass);
         self.finished = Finished { grid, samples, time };
+        self.left = Left::default();
         self.pass = if grid > 1 {
             Some(Pass::new(1, 1, false))
         } else if samples < self.samples {
@@ -215,7 +204,7 @@ impl Drawing {
     /// Learns from a pass how long a ray takes: at once if it was faster than expected, and
     /// little by little if it was slower, which may have been for another program's sake.
     fn learn(&mut self, pass: &Pass) {
-        let rays = pass.row * pass.rays_per_row(self.size);
+        let rays = pass.lines * pass.size(self.size).width() * pass.samples;
         if rays > 0 {
             let cost = pass.time.as_secs_f64() / rays as f64;
             self.cost = cost.min(self.cost + (cost - self.cost) / 4.0);
@@ -227,27 +216,72 @@ fn black(size: Size) -> RgbImage {
     RgbImage::new(size.width() as u32, size.height() as u32)
 }
 
-/// Does `work` for each of `parts`, on all cores. Each thread speaks the language of the one that waits
-/// for them: left to themselves they would speak English.
-fn on_all_cores<P: IndexedParallelIterator>(parts: P, work: impl Fn(P::Item) + Sync) {
-    let language = Language::spoken();
-    parts.for_each(|part| {
+/// What is left of a picture: rows that were begun, and all from this one on.
+#[derive(Default)]
+struct Left {
+    begun: Vec<Band>,
+    row: usize,
+}
+
+impl Left {
+    /// The rows to go on with, of which so many `lines` are rendered at a time.
+    fn next(&mut self, frame: &Frame<'_>, lines: usize) -> Option<Band> {
+        self.begun.pop().or_else(|| {
+            let band = frame.band(self.row, lines)?;
+            self.row = band.end;
+            Some(band)
+        })
+    }
+}
+
+/// Renders on all cores into `picture` what is `left` of it. Each takes one line of rays after the other,
+/// as long as there is time for as long a line again before the `limit`. Says how many lines that were;
+/// `done` is told of a number of rows whenever that many more are finished, by whichever thread
+/// finished them.
+fn render(
+    frame: &Frame<'_>, picture: &mut RgbImage, left: &mut Left, limit: Duration,
+    done: impl Fn(usize) + Sync,
+) -> usize {
+    let (start, language) = (Instant::now(), Language::spoken());
+    let (lines, bytes) = (frame.lines_at_a_time(), 3 * frame.size.width());
+    let (picture, left, count) = (Mutex::new(picture), Mutex::new(left), AtomicUsize::new(0));
+    let work = || {
+        // A thread that is left to itself speaks English.
         language.speak();
-        work(part);
-    });
+        let (mut band, mut longest) = (None::<Band>, Duration::ZERO);
+        // However late it is, something is rendered.
+        while start.elapsed() + longest <= limit || count.load(Ordering::Relaxed) == 0 {
+            let Some(mut it) = band.take().or_else(|| locked(&left).next(frame, lines)) else {
+                break;
+            };
+            let begin = Instant::now();
+            count.fetch_add(frame.go_on(&mut it), Ordering::Relaxed);
+            longest = longest.max(begin.elapsed());
+            if !frame.is_complete(&it) {
+                band = Some(it);
+                continue;
+            }
+            let (first, rows) = (bytes * it.first, it.end - it.first);
+            // Not while another thread waits to put its own there.
+            let mut rgb = vec![0; bytes * rows];
+            frame.encode(&it, &mut rgb);
+            locked(&picture).as_mut()[first..][..rgb.len()].copy_from_slice(&rgb);
+            done(rows);
+        }
+        locked(&left).begun.extend(band);
+    };
+    rayon::scope(|scope| (0..rayon::current_num_threads()).for_each(|_| scope.spawn(|_| work())));
+    count.into_inner()
+}
+
+fn locked<T>(shared: &Mutex<T>) -> MutexGuard<'_, T> {
+    shared.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// The picture of `frame`, rendered on all cores. `done` is told a number of rows whenever that many
 /// more are finished, by whichever thread finished them.
 pub fn render_parallel(frame: &Frame<'_>, done: impl Fn(usize) + Sync) -> RgbImage {
     let mut picture = black(frame.size);
-    let row = 3 * frame.size.width();
-    // Small bands, because rows cost as much as what is seen in them.
-    let rows = frame.rows_at_a_time().max(4);
-    let bands = picture.par_chunks_mut(row * rows).enumerate();
-    on_all_cores(bands, |(band, rgb)| {
-        frame.render_rows(band * rows, rgb);
-        done(rgb.len() / row);
-    });
+    render(frame, &mut picture, &mut Left::default(), Duration::MAX, done);
     picture
 }

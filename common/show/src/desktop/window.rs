@@ -198,7 +198,8 @@ impl Window {
     }
 
     /// Takes what the last look has found. minifb asks for the mouse's place before it looks for
-    /// anything else, so only the next look knows where the mouse was then.
+    /// anything else, so only the next look knows where the mouse was then. Of the button it tells
+    /// whether it is down: who is quicker than from one look to the next is not seen.
     fn keep(&mut self) {
         for told in self.told.try_iter() {
             self.keyboard.hear(told, &mut self.typed);

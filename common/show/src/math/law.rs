@@ -12,9 +12,9 @@ use super::symbols;
 use crate::Ink;
 use crate::rounded;
 use crate::translated;
-use common::Explanation;
-use common::Line;
 use common::Value;
+use telling::Explanation;
+use telling::Line;
 
 /// The equations of a step, with what its pinned pixel tells of their symbols.
 pub struct Law {

@@ -16,8 +16,8 @@ use crate::text;
 use crate::translated;
 use canvas::STRIPES;
 use common::Color;
-use common::Kept;
 use common::Vec3;
+use telling::Kept;
 
 /// What the colours of a quantity stand for, to be drawn beside its picture.
 pub struct Legend<'a> {

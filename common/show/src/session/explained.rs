@@ -1,9 +1,9 @@
 //! The rows of a pixel's explanation, what matters first.
 
-use super::row::ACCENT;
+use super::measures::ACCENT;
+use super::measures::TEXT;
 use super::row::Fold;
 use super::row::Row;
-use super::row::TEXT;
 use crate::Letters;
 use crate::Math;
 use crate::Program;
@@ -17,12 +17,12 @@ use crate::rounded;
 use crate::text;
 use crate::translated;
 use crate::typeset;
-use common::Explanation;
-use common::Line;
-use common::LineName;
-use common::Outcome;
-use common::Scope;
 use common::Value;
+use telling::Explanation;
+use telling::Line;
+use telling::LineName;
+use telling::Outcome;
+use telling::Scope;
 
 /// An explanation as it is read.
 pub(super) struct Told<'a> {

@@ -4,6 +4,7 @@ mod code_row;
 mod explained;
 mod hands;
 mod layout;
+mod measures;
 mod paint;
 mod panel;
 mod row;
@@ -234,10 +235,10 @@ impl Session {
     pub(super) fn do_act(&mut self, act: Act) {
         let (shown, reading) = (self.shown(), self.desk.reading());
         let what_ifs = self.desk.what_ifs().len();
-        let line = if let Act::Walk(by) = act { self.line_after(by) } else { None };
-        // What was folded by hand may hide it.
-        self.folds.retain(|(_, open)| *open || line.is_none());
-        self.act(line.map_or(act, Act::Choose));
+        match act {
+            Act::Walk(by) if self.desk.explanation().is_some() => self.walk(by),
+            act => self.act(act),
+        }
         if self.desk.what_ifs().len() > what_ifs {
             // The new sliders are the first, and keys act on them.
             self.select_first();

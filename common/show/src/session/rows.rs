@@ -7,13 +7,14 @@ use super::explained::Told;
 use super::layout::Beside;
 use super::layout::Layout;
 use super::layout::split;
+use super::measures::FAINT;
+use super::measures::MARGIN;
+use super::measures::TEXT;
 use super::panel::Panel;
-use super::row::FAINT;
 use super::row::Fold;
-use super::row::MARGIN;
 use super::row::Row;
-use super::row::TEXT;
 use super::row::Target;
+use crate::Act;
 use crate::Area;
 use crate::Boxed;
 use crate::Change;
@@ -31,8 +32,8 @@ use crate::rounded;
 use crate::text;
 use crate::translated;
 use crate::typeset;
-use common::Line;
-use common::LineName;
+use telling::Line;
+use telling::LineName;
 
 /// How much of what is read of a pixel its law may be.
 const LAW: f32 = 0.45;
@@ -116,8 +117,26 @@ impl Session {
         Some(told.rows())
     }
 
+    /// Goes so many lines down in what is read, and unfolds what is come to.
+    pub(super) fn walk(&mut self, by: isize) {
+        let Some(line) = self.line_after(by) else { return self.act(Act::Walk(by)) };
+        let open = |session: &Self| -> Vec<Fold> {
+            let heading = |row: &Row| match row {
+                Row::Heading { fold, open: true, .. } => Some(*fold),
+                _ => None,
+            };
+            session.reading_rows().iter().filter_map(heading).collect()
+        };
+        self.folds.retain(|(_, open)| *open);
+        let before = open(self);
+        self.act(Act::Choose(line));
+        for fold in open(self).into_iter().filter(|fold| !before.contains(fold)) {
+            self.folds.push((fold, true));
+        }
+    }
+
     /// The line that stands so many farther down in the pinned pixel's explanation.
-    pub(super) fn line_after(&self, by: isize) -> Option<LineName> {
+    fn line_after(&self, by: isize) -> Option<LineName> {
         let rows = self.told_rows(true).filter(|_| self.desk.reading() == Reading::Pixel)?;
         let target = |row: &Row| match row.target() {
             Target::Line(line) => Some(line),

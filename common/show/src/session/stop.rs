@@ -1,13 +1,13 @@
 //! The stop of a tour, as the back row reads it.
 
 use super::Session;
-use super::row::ACCENT;
-use super::row::ALTERED;
-use super::row::BACKGROUND;
-use super::row::FAINT;
-use super::row::GROOVE;
-use super::row::MARGIN;
-use super::row::TEXT;
+use super::measures::ACCENT;
+use super::measures::ALTERED;
+use super::measures::BACKGROUND;
+use super::measures::FAINT;
+use super::measures::GROOVE;
+use super::measures::MARGIN;
+use super::measures::TEXT;
 use crate::Anchor;
 use crate::Area;
 use crate::Asked;
