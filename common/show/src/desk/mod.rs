@@ -47,6 +47,7 @@ pub use keys::Key;
 pub use keys::does;
 pub use keys::table;
 pub use program::Program;
+pub(crate) use program::named;
 pub use tour::Asked;
 pub use tour::Stop;
 pub use tour::Tour;
