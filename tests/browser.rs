@@ -198,6 +198,14 @@ impl Browser {
         text(&self.run(script))
     }
 
+    /// What the page says was copied, or is to be by hand, once this was pressed.
+    pub(crate) fn copied(&self, id: &str) -> String {
+        self.run(&format!("notice(); $('{id}').click()"));
+        self.wait_until("!$('notice').hidden");
+        let said = self.text("return $('notice').textContent");
+        said.split_once(": ").expect("it says what was copied").1.to_owned()
+    }
+
     /// Hands on the pointer or keyboard: see `Actions` of the WebDriver standard.
     pub(crate) fn act(&self, actions: &Value) {
         self.post("/actions", &json!({"actions": actions}));

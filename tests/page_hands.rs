@@ -53,7 +53,7 @@ fn a_click_pins_a_pixel_and_each_symbol_has_its_number() {
     }
     // The equation's numbers are of one light, and of the other where that is chosen.
     let below = |symbol: &str| {
-        let place = format!("$('formula').querySelector('[data-symbol=\"{symbol}\"]')");
+        let place = format!("formula().querySelector('[data-symbol=\"{symbol}\"]')");
         browser.text(&format!("return {place}.textContent"))
     };
     let (k_d, key) = (below("k_d"), below("n·l"));
@@ -65,8 +65,7 @@ fn a_click_pins_a_pixel_and_each_symbol_has_its_number() {
     for (name, language) in STEPS.into_iter().flat_map(|name| [(name, "en"), (name, "pt-BR")]) {
         browser.show(&format!("#{}&pixel=480,300", &name[..6]));
         browser.run(&format!("act({{ language: '{language}' }})"));
-        let texts =
-            "[...$('formula').querySelectorAll('[data-symbol]')].map((at) => at.textContent)";
+        let texts = "[...formula().querySelectorAll('[data-symbol]')].map((at) => at.textContent)";
         let texts = browser.run(&format!("return {texts}"));
         let texts = texts.as_array().expect("a list");
         let is_number = |text: &Value| {
@@ -112,13 +111,11 @@ fn a_link_shows_the_same_again_and_none_harms() {
         (browser.run(state), browser.canvas("#now"))
     };
     let before = seen();
-    let link = browser.text("$('link').click(); return $('notice').textContent");
-    let link = link.split_once(": ").expect("it says what was copied").1;
-    browser.open(link);
+    let link = browser.copied("link");
+    browser.open(&link);
     browser.wait_for(DRAWN);
     assert!(seen() == before, "{link} shows something else");
-    let command = "$('command').click(); return $('notice').textContent.endsWith(asked('command'))";
-    assert_eq!(browser.run(command), true);
+    assert_eq!(browser.copied("command"), browser.text("return asked('command')"));
 
     // What is to be tried is a click away, and keeps the pin.
     browser.show("#step07&pixel=480,300&green.radius=0.3");

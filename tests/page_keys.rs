@@ -101,7 +101,8 @@ fn the_keyboard_reaches_it_all() {
 
     // From the top to the picture by Tab alone, and on to a slider.
     let tab_to = |id: &str| {
-        let found = (0..60).any(|_| {
+        // The essay's own buttons and sliders come between.
+        let found = (0..150).any(|_| {
             press(Key::Tab);
             browser.text("return document.activeElement.id") == id
         });

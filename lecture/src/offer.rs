@@ -20,6 +20,8 @@ pub(crate) fn offer(name: &str, code: &str) -> Option<String> {
     let mut address = format!("#{}", name.get(..6)?);
     let mut words = code.split_whitespace();
     let mut labels: Vec<String> = Vec::new();
+    // Whose the next settings are.
+    let mut owner = String::new();
     while let Some(flag) = words.next() {
         let _ = match flag {
             "--set" => write!(address, "&{}", words.clone().next()?),
@@ -30,7 +32,17 @@ pub(crate) fn offer(name: &str, code: &str) -> Option<String> {
             _ => return None,
         };
         labels.push(match flag {
-            "--set" | "--what-if" => equal(words.next()?),
+            "--set" => {
+                let setting = words.next()?;
+                match setting.split_once('=') {
+                    Some(("light" | "sphere", name)) => {
+                        owner = format!("{name}.");
+                        continue;
+                    }
+                    _ => equal(&format!("{owner}{setting}")),
+                }
+            }
+            "--what-if" => equal(words.next()?),
             "--show" => formula(words.next()?),
             "--pixel" => format!("({})", escape(&words.next()?.replace(',', ", "))),
             "--outside" | "--curve" => escape(&flag[2..]),
