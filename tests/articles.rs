@@ -52,44 +52,60 @@ fn each_article_says_once_what_the_handout_says() {
         let parts = parts.filter(|part| !shown_already.iter().any(|title| part.starts_with(title)));
         let parts: Vec<&str> = parts.collect();
         let all = article.elements();
-        let is_section = |it: &&Element<'_>| it.name() == "details" && it.says("class").is_some();
-        let sections: Vec<&Element<'_>> = all.iter().filter(is_section).collect();
+        let sections: Vec<&Element<'_>> = all.iter().filter(|it| it.name() == "section").collect();
         let title = all.iter().find(|it| it.name() == "h2").expect("a title").text();
-        let headings = sections.iter().map(|it| it.elements()[1].text());
+        let headings = sections.iter().map(|it| it.elements()[0].text());
         let headings: Vec<String> = [format!("# {title}")].into_iter().chain(headings).collect();
         let heading = |part: &&str| part.lines().next().unwrap_or_default().replace('`', "");
         assert_eq!(headings, parts.iter().map(heading).collect::<Vec<_>>(), "{number}");
-        let open = sections.iter().map(|it| (it.says("class").unwrap(), it.says("open").is_some()));
-        let first = ["idea", "equation", "try"].into_iter().map(|class| (class, true));
-        let expected = first.chain(std::iter::repeat(("more", false))).take(sections.len());
-        assert!(open.eq(expected.map(|it| (it.0.to_owned(), it.1))), "step {number}");
+        let kinds = ["idea", "equation", "try", "trap", "asks", "exercise"].into_iter();
+        let kinds = kinds.chain(std::iter::repeat("more")).map(str::to_owned);
+        assert!(sections.iter().filter_map(|it| it.says("class")).eq(kinds.take(sections.len())));
         let blocks = ["p", "li", "td", "pre", "figcaption"];
         let texts = all.iter().filter(|it| blocks.contains(&it.name())).map(Element::text);
         let mut seen = BTreeSet::new();
         for text in texts.filter(|text| text.len() >= 40) {
             assert!(seen.insert(text.clone()), "twice in step {number}: {text}");
         }
+        for (part, section) in parts.iter().zip([&article].into_iter().chain(sections)) {
+            says_all(part, section, STEPS[number - 1]);
+        }
+    }
+}
 
-        // Each piece of text is there, once the one before it is; ways to other pages are not.
-        let handout = parts.join("\n## ");
-        let is_way = |block: &&str| block.contains("](README") || block.contains("](../README");
-        let blocks: Vec<&str> = handout.split("\n\n").filter(|block| !is_way(block)).collect();
-        let article = letters(&article.text());
-        let (mut rest, mut deep) = (&*article, 0);
-        let options = Options::ENABLE_TABLES | Options::ENABLE_MATH;
-        for event in Parser::new_ext(&blocks.join("\n\n"), options) {
-            use Tag::*;
-            match event {
-                Event::Start(Table(_) | Link { .. } | Heading { .. } | Image { .. }) => deep += 1,
-                Event::End(TagEnd::Table | TagEnd::Link | TagEnd::Heading(_) | TagEnd::Image) => {
-                    deep -= 1
-                }
-                Event::Text(text) | Event::Code(text) if deep == 0 => {
-                    let after = rest.split_once(&letters(&text));
-                    rest = after.unwrap_or_else(|| panic!("{number}: {text}")).1;
-                }
-                _ => {}
+/// Each piece of text of a handout's part is in the section, once the one before it is, or can be tapped
+/// there; ways to other pages are not.
+fn says_all(part: &str, section: &Element<'_>, step: &str) {
+    let is_way = |block: &&str| block.contains("](README") || block.contains("](../README");
+    let blocks: Vec<&str> = part.split("\n\n").filter(|block| !is_way(block)).collect();
+    let offers: Vec<String> = section.elements().iter().filter_map(|it| it.says("title")).collect();
+    let start = format!("cargo run -p {step}");
+    let is_done = |text: &str| {
+        let mut lines = text.lines().map(|line| line.strip_prefix(&start).unwrap_or(line));
+        lines.all(|line| line.is_empty() || offers.iter().any(|it| line.ends_with(it)))
+    };
+    let all = section.elements();
+    let fold = all.iter().find(|it| it.is("look")).map(|it| it.elements()[0].text());
+    let text = section.text();
+    let said = letters(&fold.map_or(text.clone(), |fold| text.replace(&fold, "")));
+    let (mut rest, mut deep) = (&*said, 0);
+    for event in
+        Parser::new_ext(&blocks.join("\n\n"), Options::ENABLE_TABLES | Options::ENABLE_MATH)
+    {
+        use Tag::*;
+        match event {
+            // A figure's text stands where the handout has the figure.
+            Event::Start(Link { dest_url, .. }) if dest_url.starts_with("examples/") => {}
+            Event::Start(Table(_) | Link { .. } | Heading { .. } | Image { .. }) => deep += 1,
+            Event::End(TagEnd::Link) if deep == 0 => {}
+            Event::End(TagEnd::Table | TagEnd::Link | TagEnd::Heading(_) | TagEnd::Image) => {
+                deep -= 1
             }
+            Event::Text(text) | Event::Code(text) if deep == 0 && !is_done(&text) => {
+                let after = rest.split_once(&letters(&text));
+                rest = after.unwrap_or_else(|| panic!("{step}: {text}")).1;
+            }
+            _ => {}
         }
     }
 }
@@ -144,13 +160,16 @@ fn what_is_to_be_tried_is_what_the_link_opens() {
     for (number, _, article) in handouts() {
         let mut tried = 0;
         for link in article.elements().into_iter().filter(|it| it.name() == "a") {
-            let (to, text) = (link.says("href").expect("where it leads"), link.text());
+            let to = link.says("href").or(link.says("data-address")).expect("where it leads");
             let mut shown = Desk::new(programs(), 0);
             let effects = act(&mut shown, Act::Open(to.clone()));
             assert!(!effects.iter().any(|effect| matches!(effect, Effect::Say(_))), "{to}");
             if link.is("try") {
-                let expected = after(Desk::new(programs(), number - 1), &acts_of(&text));
-                assert_eq!(address(&shown), address(&expected), "{text}");
+                let typed = link.says("title").expect("its command");
+                let expected = after(Desk::new(programs(), number - 1), &acts_of(&typed));
+                assert_eq!(address(&shown), address(&expected), "{typed}");
+                // As the page writes it, so that it sees whether it is shown.
+                assert_eq!(to, shown.shown_address(), "{typed}");
                 tried += 1;
             }
         }
@@ -168,6 +187,10 @@ fn each_figure_has_a_place_of_its_shape() {
             let name = place.says("data-figure").unwrap();
             let is_said = place.says("aria-label").is_some_and(|seen| seen.len() > 20);
             assert!(place.is("still") && place.is(&name) && is_said, "{name}");
+            let about = place.says("data-about").expect("the control that it is about");
+            let mut page = Asked::at("");
+            let groups = page.ask(json!({"state": {"of": name, "spoken": "en"}}))["groups"].clone();
+            assert!(groups.to_string().contains(&format!("{about:?}")), "{name} is about {about}");
             places.push((name, article.says("lang").unwrap()));
         }
     }

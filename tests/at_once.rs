@@ -67,6 +67,23 @@ fn all_hits_are_read_without_scrolling_and_misses_are_one_line() {
 }
 
 #[test]
+fn each_equation_of_the_slides_is_in_its_step() {
+    for language in Language::all() {
+        language.speak();
+        let all = programs();
+        for (index, equation) in DECK {
+            let Program { name, idea, texts, .. } = &all[index];
+            let idea = texts.get(Language::spoken().place()).map_or(*idea, |[_, idea, _]| idea);
+            let told = idea.lines().filter_map(|line| line.strip_prefix("  "));
+            let key = latex(equation).key();
+            let is_told = told.map(|line| latex(line).key()).any(|told| told.contains(&key));
+            assert!(is_told, "{name} has no {equation}: {idea}");
+        }
+    }
+    Language::ENGLISH.speak();
+}
+
+#[test]
 fn each_letter_of_an_equation_is_in_its_font_and_no_command_is_left() {
     let mut keys = BTreeSet::new();
     for program in PROGRAMS {

@@ -180,6 +180,16 @@ impl Browser {
         image::load_from_memory(&png.expect("base64")).expect("a PNG").to_rgb8()
     }
 
+    /// What is seen of the first element that `selector` names.
+    pub(crate) fn photo(&self, selector: &str) -> RgbImage {
+        let found = self.post("/element", &json!({"using": "css selector", "value": selector}));
+        let names = found.as_object().expect("an element").values();
+        let path = format!("{}/element/{}", self.session, names.map(text).collect::<String>());
+        let png = text(&self.ask("GET", &format!("{path}/screenshot"), &Value::Null));
+        let png = STANDARD.decode(png).expect("base64");
+        image::load_from_memory(&png).expect("a PNG").to_rgb8()
+    }
+
     /// Nothing is in the console, of errors and warnings.
     #[track_caller]
     pub(crate) fn is_quiet(&self) {

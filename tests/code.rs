@@ -26,7 +26,7 @@ fn told(index: usize) -> Vec<Explanation> {
 }
 
 /// Each line but a sum's, with the things that it is told about, the innermost first.
-fn with_scopes(scope: &Scope, around: &[String]) -> Vec<(common::Line, Vec<String>)> {
+fn with_scopes(scope: &Scope, around: &[String]) -> Vec<(telling::Line, Vec<String>)> {
     let mut names = vec![scope.name.to_owned()];
     names.extend_from_slice(around);
     let own = scope.lines().map(|line| (*line, names.clone()));
@@ -56,7 +56,7 @@ fn every_told_line_stands_beside_its_code_when_it_is_looked_at() {
             for scopes in told_lines.iter().map(|(_, scopes)| scopes).collect::<BTreeSet<_>>() {
                 let parts = code.parts(&sought(&told, scopes));
                 for (line, _) in told_lines.iter().filter(|(_, other)| other == scopes) {
-                    let is_it = |(told, _): &(common::Line, Option<LineName>)| told == line;
+                    let is_it = |(told, _): &(telling::Line, Option<LineName>)| told == line;
                     let beside = lines(&parts).filter(|code| code.told.iter().any(is_it));
                     let beside: Vec<&CodeLine> = beside.collect();
                     let mut fail = |how: &str| wrong.insert(format!("{name}: {line:?} {how}"));
@@ -78,7 +78,7 @@ fn every_value_beside_the_code_is_the_explanations() {
         let code = code(index);
         for told in told(index) {
             for (line, of) in lines(&code.parts(&sought(&told, &[]))).flat_map(|line| &line.told) {
-                let is_it = |(other, scopes): &(common::Line, Vec<String>)| {
+                let is_it = |(other, scopes): &(telling::Line, Vec<String>)| {
                     let of_it = |of: &LineName| of.of.is_empty() || scopes.contains(&of.of);
                     other == line && of.as_ref().is_none_or(of_it)
                 };

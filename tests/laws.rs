@@ -16,6 +16,7 @@ pub use lecture::step07_specular::scene::Scene;
 pub use lecture::step07_specular::sphere::Sphere as Ball;
 pub use lecture::step07_specular::surface::Surface;
 pub use lecture::step07_specular::triangle::Triangle;
+use telling::Explanation;
 
 /// How far the closed forms may be off. Their numbers stay below 16, and one that is the result
 /// of a handful of operations is off by a handful of halves of the last bit of 16.

@@ -7,6 +7,7 @@
 //! Tests that need a program besides Rust are ignored, and name it: `cargo test -- --ignored`.
 
 pub mod chance;
+pub mod deck;
 pub mod hands;
 pub mod laws;
 pub mod prelude;
@@ -36,7 +37,7 @@ steps!(names);
 pub const PROJECTIONS: [Projection; 2] = [Projection::Perspective, Projection::Parallel];
 
 /// A step as it starts, by its index in [`STEPS`].
-pub fn step(index: usize) -> Box<dyn Step> {
+pub fn step(index: usize) -> Box<dyn AnyStep> {
     (PROGRAMS[index].make)()
 }
 
@@ -56,7 +57,7 @@ pub fn size(width: usize, height: usize) -> Size {
 }
 
 /// What `step` shows from `view`, with one ray a pixel.
-pub fn picture(step: &dyn Step, view: &View, width: usize, height: usize) -> RgbImage {
+pub fn picture(step: &dyn AnyStep, view: &View, width: usize, height: usize) -> RgbImage {
     let size = size(width, height);
     Frame { step, camera: &*view.camera(size.aspect()), size, samples: 1 }.render()
 }
@@ -76,7 +77,7 @@ pub fn pictures_of(desk: &Desk, size: Size) -> Vec<RgbImage> {
 }
 
 /// The linear radiance of each pixel of `step`, seen with `camera`.
-pub fn colors(step: &dyn Step, camera: &dyn Camera, width: usize, height: usize) -> Vec<Color> {
+pub fn colors(step: &dyn AnyStep, camera: &dyn Camera, width: usize, height: usize) -> Vec<Color> {
     let mut colors = vec![Color::NAN; width * height];
     step.render(camera, &mut Image::new(width, height, 0, &mut colors));
     colors

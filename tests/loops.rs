@@ -103,12 +103,10 @@ impl Step for Loops {
             }
         }
     }
+}
 
-    fn tell(&self, _: &dyn Camera, _: Pixel, _: &Recorder) -> Color {
-        Color::ZERO
-    }
-
-    fn probe(&self, _: &dyn Camera, _: Pixel, _: &Probe<'_>) -> Color {
+impl Tell for Loops {
+    fn tell(&self, _: &dyn Camera, _: Pixel, _: &impl Listener) -> Color {
         Color::ZERO
     }
 }

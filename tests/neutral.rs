@@ -11,7 +11,7 @@ const WIDTH: usize = 96;
 const HEIGHT: usize = 54;
 
 /// The lecture's view and one from the side, in both projections.
-fn views(step: &dyn Step) -> [View; 4] {
+fn views(step: &dyn AnyStep) -> [View; 4] {
     let [perspective, parallel] = PROJECTIONS;
     [(0.0, perspective), (0.0, parallel), (50.0, perspective), (-130.0, parallel)].map(
         |(turn, projection)| {
@@ -27,11 +27,11 @@ fn camera(view: &View) -> Box<dyn Camera> {
     view.camera(WIDTH as f32 / HEIGHT as f32)
 }
 
-fn colors(step: &dyn Step, view: &View) -> Vec<Color> {
+fn colors(step: &dyn AnyStep, view: &View) -> Vec<Color> {
     tests::colors(step, &*camera(view), WIDTH, HEIGHT)
 }
 
-fn explanations(step: &dyn Step, view: &View) -> Vec<Explanation> {
+fn explanations(step: &dyn AnyStep, view: &View) -> Vec<Explanation> {
     let camera = camera(view);
     pixels(WIDTH, HEIGHT).map(|pixel| step.explain(&*camera, pixel)).collect()
 }
@@ -46,7 +46,7 @@ fn same(later: &[Color], earlier: &[Color], why: &str) {
     assert!(later.iter().any(|color| *color != later[0]), "one colour: {why}");
 }
 
-fn set_up<S: Step + Clone + 'static>(step: &S) -> Setup {
+fn set_up<S: Tell + Clone + 'static>(step: &S) -> Setup {
     let step = step.clone();
     Setup::new(Rc::new(move || Box::new(Lesson(Box::new(step.clone())))))
 }
@@ -54,7 +54,7 @@ fn set_up<S: Step + Clone + 'static>(step: &S) -> Setup {
 /// Moves each control of `earlier` to both ends and the middle, the one of that name in `later`
 /// with it, and compares what both show then.
 fn same_whatever_is_set(
-    later: &(impl Step + Clone + 'static), earlier: &(impl Step + Clone + 'static), why: &str,
+    later: &(impl Tell + Clone + 'static), earlier: &(impl Tell + Clone + 'static), why: &str,
 ) {
     for view in views(earlier) {
         same(&colors(later, &view), &colors(earlier, &view), why);

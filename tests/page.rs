@@ -7,6 +7,7 @@ mod articles;
 mod browser;
 mod markup;
 mod page_class;
+mod page_equations;
 mod page_hands;
 mod page_looks;
 mod page_pictures;

@@ -21,9 +21,11 @@ pub use proptest::sample::select;
 pub use rayon::prelude::*;
 pub use serde_json::json;
 pub use show::*;
+pub use telling::*;
 pub use tempfile::tempdir;
 
 pub use crate::chance::*;
+pub use crate::deck::*;
 pub use crate::hands::drag;
 pub use crate::hands::*;
 pub use crate::laws::*;

@@ -47,7 +47,7 @@ impl Asked {
     /// These layers as they are shown, three bytes a pixel.
     fn shown(&mut self, of: Option<&str>, layers: &[Value]) -> Vec<u8> {
         let rgb: Vec<Vec<u8>> = layers.iter().map(|layer| self.rows(layer.clone())).collect();
-        let show = json!({"of": of, "size": [64, 36], "drawn": [64, 36], "text": 8});
+        let show = json!({"of": of, "size": [64, 36], "drawn": [64, 36]});
         let rgba = self.bytes(json!({"show": show}), &rgb.concat());
         assert!(rgba.iter().skip(3).step_by(4).all(|alpha| *alpha == 255));
         rgba.chunks_exact(4).flat_map(|pixel| &pixel[..3]).copied().collect()
@@ -109,11 +109,29 @@ fn what_lies_over_a_picture_changes_only_it() {
     ] {
         let mut page = Asked::at(&format!("#step07&size=64x36{address}"));
         assert_eq!(page.state()["marked"], marked, "{address}");
-        assert_eq!(page.shown(None, std::slice::from_ref(&now)) != plain, marked, "{address}");
+        // Laid over the picture, the marks are what they are when they are drawn on it.
+        let marks = page.bytes(json!({"marks": {"size": [64, 36], "text": 8}}), b"");
+        let address = format!("#step07&size=64x36{address}");
+        let desk = after(Desk::new(lecture::programs(), 0), &[Act::Open(address.clone())]);
+        let mut drawn = RgbImage::from_raw(64, 36, plain.clone()).expect("all rows");
+        let mut canvas = Canvas::new(&mut drawn);
+        let area = canvas.area();
+        draw_marks(&desk, &mut canvas, area, 8.0);
+        assert_eq!(*drawn != plain, marked, "{address}");
+        let pixels = plain.chunks_exact(3).zip(drawn.pixels()).zip(marks.chunks_exact(4));
+        for ((under, drawn), mark) in pixels {
+            let cover = f32::from(mark[3]) / 255.0;
+            for channel in 0..3 {
+                let through = (1.0 - cover) * f32::from(under[channel]);
+                let seen = through + cover * f32::from(mark[channel]);
+                let off = (seen - f32::from(drawn[channel])).abs();
+                assert!(off <= 3.0, "{address}: {under:?} {mark:?} {drawn:?}");
+            }
+        }
         assert!(page.rows(now.clone()) == plain, "{address}");
     }
     // A coarse picture becomes as large as it is shown.
-    let show = json!({"size": [128, 72], "drawn": [64, 36], "text": 8});
+    let show = json!({"size": [128, 72], "drawn": [64, 36]});
     let large = Asked::at("#step07").bytes(json!({"show": show}), &plain);
     assert_eq!(large.len(), 4 * 128 * 72);
     assert_eq!(large[4 * (128 * 40 + 60)..][..3], plain[3 * (64 * 20 + 30)..][..3]);
@@ -181,7 +199,7 @@ fn each_symbol_has_the_number_of_what_is_seen() {
 fn what_cannot_be_done_is_said_and_changes_nothing() {
     let mut page = Asked::at("#step07&p=10");
     let state = page.state();
-    let show = |size: [u64; 2], drawn: [u64; 2]| json!({"show": {"size": size, "drawn": drawn, "text": 8}});
+    let show = |size: [u64; 2], drawn: [u64; 2]| json!({"show": {"size": size, "drawn": drawn}});
     for question in [
         json!(""),
         json!({}),

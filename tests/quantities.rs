@@ -12,7 +12,7 @@ fn size() -> Size {
     tests::size(SIZE.0, SIZE.1)
 }
 
-fn camera(step: &dyn Step) -> Box<dyn Camera> {
+fn camera(step: &dyn AnyStep) -> Box<dyn Camera> {
     step.view().camera(size().aspect())
 }
 
@@ -29,7 +29,7 @@ fn all_lines() -> Vec<(usize, LineName)> {
 /// Calls `check` with pixels by chance of each line, with its step and what is explained there.
 fn at_each_line(
     lines: &[(usize, LineName)], asked: usize,
-    mut check: impl FnMut(usize, &dyn Step, &LineName, Pixel, Explanation),
+    mut check: impl FnMut(usize, &dyn AnyStep, &LineName, Pixel, Explanation),
 ) {
     let rng = &mut Rng::with_seed(26);
     for (index, line) in lines {
@@ -44,7 +44,7 @@ fn at_each_line(
 
 /// What a probe of `step` keeps of `line`, and the colour that the pixel has then.
 fn probed(
-    step: &dyn Step, pixel: Pixel, line: &LineName, answers: &[Answer],
+    step: &dyn AnyStep, pixel: Pixel, line: &LineName, answers: &[Answer],
 ) -> (Option<Kept>, Color) {
     let probe = Probe::new(Some(line), answers);
     let color = step.probe(&*camera(step), pixel, &probe);

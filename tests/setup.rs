@@ -103,12 +103,10 @@ impl Step for Ranged {
     }
 
     fn render(&self, _: &dyn Camera, _: &mut Image<'_>) {}
+}
 
-    fn tell(&self, _: &dyn Camera, _: Pixel, _: &Recorder) -> Color {
-        Color::ZERO
-    }
-
-    fn probe(&self, _: &dyn Camera, _: Pixel, _: &Probe<'_>) -> Color {
+impl Tell for Ranged {
+    fn tell(&self, _: &dyn Camera, _: Pixel, _: &impl Listener) -> Color {
         Color::ZERO
     }
 }

@@ -151,7 +151,7 @@ fn symbols_differ_in_color_for_all_eyes() {
 
 /// Draws what is seen from the camera of `view`, or that from outside.
 fn draw_over(
-    canvas: &mut Canvas<'_>, (step, view): (&dyn Step, &View), onlooker: Option<&View>,
+    canvas: &mut Canvas<'_>, (step, view): (&dyn AnyStep, &View), onlooker: Option<&View>,
     told: Option<&Explanation>, handles: &[Handle], area: Area,
 ) {
     let camera = |view: &View| view.camera(area.width / area.height);
@@ -165,7 +165,7 @@ fn draw_over(
 }
 
 /// Draws what `step` tells of some pixels, seen from everywhere, on a picture whose margin stays.
-fn survives(step: &dyn Step, handles: &[Handle]) {
+fn survives(step: &dyn AnyStep, handles: &[Handle]) {
     let ground = Ink::new(77, 78, 79);
     let empty = RgbImage::from_pixel(200, 120, Rgb(ground.rgb));
     let areas = [(160.0, 90.0), (30.0, 100.0), (1.0, 1.0), (0.0, 0.0)]

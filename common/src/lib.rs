@@ -1,23 +1,19 @@
 //! What no slide of the lecture changes: vectors, rays, cameras, an image, what can be changed while
 //! looking, and how a step tells what it computes.
 //!
-//! A step hands over a [`Step`]: a plain value that renders rows of pixels, shows its [`Controls`], and
-//! tells a [`Listener`] how a pixel came by its colour. Nothing here knows of spheres, scenes or light,
+//! A step hands over a [`Step`]: a plain value that renders rows of pixels and shows its [`Controls`]; and
+//! as [`Tell`] it tells a [`Listener`] how a pixel came by its colour. Nothing here knows of spheres, scenes or light,
 //! nor of a language, a clock, a thread or a file: whoever shows a step brings these.
 //!
 //! The conventions stand where they live: the world's axes at [`Vec3`], linear radiance at [`Color`],
 //! (u, v) at [`Camera`], pixels at [`Image`], the unit of t at [`Ray`].
 
-mod answer;
 mod camera;
 mod control;
-mod explanation;
 mod image;
 mod listener;
 pub mod prelude;
-mod probe;
 mod ray;
-mod recorder;
 mod step;
 mod value;
 mod vector;
@@ -25,8 +21,6 @@ mod view;
 
 pub use self::image::Image;
 pub use self::image::Pixel;
-pub use answer::Answer;
-pub use answer::LineName;
 pub use camera::Camera;
 pub(crate) use camera::FIELD_OF_VIEW;
 pub use camera::OrthographicCamera;
@@ -34,21 +28,12 @@ pub use camera::PerspectiveCamera;
 pub use control::Adjustable;
 pub use control::Controls;
 pub use control::Kind;
-pub use explanation::Explanation;
-pub use explanation::Line;
-pub use explanation::Outcome;
-pub use explanation::Part;
-pub use explanation::Place;
-pub use explanation::Scope;
 pub use listener::About;
 pub use listener::Listener;
 pub use listener::Silent;
-pub use probe::Kept;
-pub use probe::Probe;
 pub use ray::Ray;
-pub use recorder::Recorder;
-pub use recorder::Slip;
 pub use step::Step;
+pub use step::Tell;
 pub use value::Value;
 pub use vector::Color;
 pub use vector::Vec3;

@@ -8,7 +8,7 @@ use crate::Vec3;
 /// Whoever is told what a step computes, where it computes it.
 ///
 /// Each call hands its value back, so that telling stands in the line that computes. With
-/// [`Silent`] the functions of a step draw the picture, with a [`Recorder`](crate::Recorder) the very
+/// [`Silent`] the functions of a step draw the picture, with one that listens the very
 /// same functions explain a pixel of it. Names and equations are in the slides' symbols.
 ///
 /// Telling is a tree: what a step tells [about](Self::about) an object or a light ends with the block

@@ -1,17 +1,14 @@
 //! What a step of the lecture hands over.
 
-use crate::Answer;
 use crate::Camera;
 use crate::Color;
 use crate::Controls;
-use crate::Explanation;
 use crate::Image;
+use crate::Listener;
 use crate::Pixel;
-use crate::Probe;
-use crate::Recorder;
 use crate::View;
 
-/// What a step of the lecture hands to the window, to the command line and to the tests.
+/// What a step of the lecture draws, and what can be changed of it.
 pub trait Step: Sync {
     /// Where the picture is first seen from.
     fn view(&self) -> View;
@@ -21,25 +18,11 @@ pub trait Step: Sync {
 
     /// The slide's loop over the pixels of `image`, as `camera` sees them.
     fn render(&self, camera: &dyn Camera, image: &mut Image<'_>);
+}
 
+/// A step that tells how a pixel comes by its colour.
+pub trait Tell: Step {
     /// Tells `say` how `pixel` comes by its colour, which it gives back: what the functions that
-    /// [`render`](Self::render) runs tell.
-    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color;
-
-    /// As [`tell`](Self::tell), to who hears one line alone.
-    fn probe(&self, camera: &dyn Camera, pixel: Pixel, say: &Probe<'_>) -> Color;
-
-    /// How `pixel` comes by its colour.
-    fn explain(&self, camera: &dyn Camera, pixel: Pixel) -> Explanation {
-        self.explain_otherwise(camera, pixel, &[])
-    }
-
-    /// How `pixel` would come by its colour with some lines answered otherwise.
-    fn explain_otherwise(
-        &self, camera: &dyn Camera, pixel: Pixel, answers: &[Answer],
-    ) -> Explanation {
-        let recorder = Recorder::answering(pixel, answers);
-        let color = self.tell(camera, pixel, &recorder);
-        recorder.finish(color)
-    }
+    /// [`render`](Step::render) runs tell.
+    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &impl Listener) -> Color;
 }

@@ -9,9 +9,12 @@ const encoded = (address) =>
   "#" + address.slice(1).split("&")
     .map((part) => encodeURIComponent(part).replace(/%(3D|2C)/g, decodeURIComponent)).join("&");
 
-/** Shows what an address says. */
+/** Shows what an address says; one that says nothing is the cover's. */
 function open(address) {
-  act({ open: decoded(address) });
+  document.body.classList.toggle("covered", !address);
+  passing = !address;
+  act({ open: decoded(address || "#step07") });
+  if (!address) pass();
 }
 
 let written = "";
@@ -27,6 +30,7 @@ function write(way, address) {
 /** Writes the address; what was shown `before`, if that is said, can be come back to. */
 function writeAddress(before) {
   clearTimeout(writing);
+  if (isCovered()) return;
   if (before) {
     write("replaceState", before);
     write("pushState", state.address);
@@ -36,18 +40,20 @@ function writeAddress(before) {
   writing = setTimeout(() => write("replaceState", state.address), 200);
 }
 
-/** A link to a step takes all along; one with settings shows just these, and keeps the pin. */
+/** A link to a step takes all along, but from the cover; one with settings is a button. */
 function follow(event) {
   const link = event.target.closest("a[href^='#step']");
   if (!link || event.ctrlKey || event.metaKey || event.shiftKey) return;
   event.preventDefault();
-  if (!link.hash.includes("&")) return act({ step: Number(link.hash.slice(5)) });
-  const { address, pin, size } = state;
-  open(link.hash);
-  if (pin && !state.pin) act({ pin: pin.map((at, axis) => (at + 0.5) / size[axis]) });
-  writeAddress(address);
+  if (link.matches(".try")) take(link);
+  else if (isCovered()) {
+    open(link.hash);
+    write("pushState", state.address);
+  } else act({ step: Number(link.hash.slice(5)) });
 }
 
 addEventListener("hashchange", () => {
-  if (state && location.hash !== written) open(location.hash);
+  if (!state || location.hash === written) return;
+  written = location.hash;
+  open(location.hash);
 });

@@ -10,7 +10,7 @@ const GLIDE_MS = 250;
 
 /** Has the pictures glide to the stop; at once where that takes long or less motion is wanted. */
 function glide() {
-  const { width, height } = $("now");
+  const [width, height] = state.size;
   const slow = stage.cost * width * height > GLIDE_MS
     || matchMedia("(prefers-reduced-motion: reduce)").matches;
   const start = performance.now();
@@ -32,11 +32,11 @@ function showClass() {
   if (stop) {
     $("way").value = stop.number / stop.count;
     $("slide").textContent = `${stop.slide} · ${stop.number}/${stop.count}`;
-    $("subtitle").textContent = stop.subtitle;
+    $("subtitle").innerHTML = stop.subtitle;
     $("mark").textContent = stop.changed ? text("changed here · Home: back to the stop")
       : stop.asks ? text("R: a question") : "";
-    $("asked").textContent = stop.question;
-    $("told").textContent = stop.text;
+    $("asked").innerHTML = stop.question;
+    $("told").innerHTML = stop.text;
   }
   $("stops").hidden = !listed;
   if (!listed) return;

@@ -69,7 +69,7 @@ function point({ target }) {
       line ? note.dataset.line === line : Boolean(means) && note.dataset.means === means);
   const marked = $("listing").querySelector(".note.pointed");
   const symbol = means || (marked && marked.dataset.means);
-  for (const place of $("formula").querySelectorAll("[data-symbol]"))
+  for (const place of formula().querySelectorAll("[data-symbol]"))
     place.classList.toggle("pointed", Boolean(symbol) && place.dataset.symbol === symbol);
 }
 

@@ -14,7 +14,8 @@ function does(question, moving = false) {
   if (done.said && !done.known) notice(done.said);
   if (!done.known) return done;
   notice(done.said || "");
-  if (done.redraw || done.repaint) refresh(!question.do || !question.do.open);
+  if (done.redraw && moving) refreshSoon();
+  else if (done.redraw || done.repaint) refresh(!question.do || !question.do.open);
   if (done.redraw) redraw(moving);
   else if (done.repaint) show();
   if (done.glide) glide();
@@ -39,19 +40,41 @@ function press(key, down = true, fine = false) {
 const isElsewhere = (before) => before.step !== state.step
   || (before.stop && before.stop.number) !== (state.stop && state.stop.number);
 
+/** While something is dragged, what is beside the picture is shown anew each so many milliseconds. */
+const REFRESH_MS = 100;
+/** When that was done last, and the timer of the next time. */
+let [refreshed, refreshing] = [0, 0];
+
+function refreshSoon() {
+  const wait = Math.max(0, refreshed + REFRESH_MS - performance.now());
+  refreshing ||= setTimeout(refresh, wait, true);
+}
+
+/** The picture is at rest: so is all beside it. */
+function settle() {
+  if (refreshing) refresh(true);
+}
+
 /** Reads what the steps' program holds now, and shows it; another step can be come back from. */
 function refresh(keeps) {
+  clearTimeout(refreshing);
+  refreshing = 0;
   const before = state;
   state = asked({ state: { spoken } });
+  if (before && !passing && isCovered() && isElsewhere(before)) uncover();
   const said = languageOf(state.language);
   if (said !== language) speak(said);
   const other = !before || before.step !== state.step || before.language !== state.language;
-  if (other) showStep();
+  if (other || covered !== isCovered()) showStep();
   if (showControls() || other) choose(selected());
   showStage();
   explain();
   showCode();
   showClass();
+  showOffers();
   read(before);
+  // Another text is read from its top on.
+  if (before && before.step !== state.step) scrollTo({ top: 0, behavior: "instant" });
   writeAddress(keeps && before && isElsewhere(before) ? before.address : "");
+  refreshed = performance.now();
 }

@@ -1,7 +1,11 @@
 // Pictures in the making: each is a number of bands of one or two layers.
 
-/** A picture that takes longer than this is drawn with fewer pixels while something is dragged. */
+/**
+ * A picture that takes longer than this is drawn with fewer pixels while something is dragged, and so
+ * is one that has more pixels than this, as they have to be handed on.
+ */
 const DRAGGED_MS = 22;
+const DRAGGED_PIXELS = 960 * 540;
 /** The largest band of rows, and the smallest: the last ones, so that all workers end together. */
 const BAND_PIXELS = [36 * 960, 6 * 960];
 
@@ -25,22 +29,24 @@ class Drawing {
   redraw(moving) {
     this.moving = moving;
     this.stale = true;
-    // One of other layers is not waited for: there may be no step before any more.
+    // Whoever drags sees each picture that was begun: else, where changes come faster than pictures,
+    // there would be none. One of other layers is not waited for: there may be no step before any more.
     const same = () => JSON.stringify(this.made.layers) === JSON.stringify(this.wanted().layers);
-    if (!(this.busy && this.made.quick && same())) this.draw(moving);
+    if (!(this.busy && this.made.dragged && same())) this.draw(moving);
   }
 
-  draw(quick) {
+  draw(dragged) {
     const { layers, size } = this.wanted();
-    const whole = this.cost * size[0] * size[1] * layers.length;
-    const part = quick ? Math.min(1, Math.max(1 / 6, Math.sqrt(DRAGGED_MS / whole))) : 1;
+    const pixels = size[0] * size[1];
+    const room = Math.min(DRAGGED_PIXELS, DRAGGED_MS / (this.cost * layers.length));
+    const part = dragged ? Math.min(1, Math.max(1 / 6, Math.sqrt(room / pixels))) : 1;
     const [width, height] = size.map((side) => Math.max(1, Math.round(side * part)));
     this.stale = false;
     this.busy = true;
     this.started = performance.now();
     this.frame += 1;
     const rgb = layers.map(() => new Uint8Array(3 * width * height));
-    this.made = { quick: part < 1, size: [width, height], left: 0, layers, rgb };
+    this.made = { dragged, quick: part < 1, size: [width, height], left: 0, layers, rgb };
     queue = queue.filter((band) => band.drawing !== this.number);
     const [most, least] = BAND_PIXELS.map((pixels) => Math.max(1, Math.round(pixels / width)));
     for (let first = 0, count; first < height; first += count) {
@@ -72,10 +78,9 @@ class Drawing {
   }
 }
 
-/** Puts a picture on a canvas of this size, with what lies over it in letters `text` high. */
-function put(canvas, of, [width, height], made, text) {
-  const show = { of, size: [width, height], drawn: made.size, text };
-  fill(canvas, [width, height], ask({ show }, ...made.rgb));
+/** Puts a picture on a canvas of this size. */
+function put(canvas, of, size, made) {
+  fill(canvas, size, ask({ show: { of, size, drawn: made.size } }, ...made.rgb));
 }
 
 /** Puts pixels of four bytes on a canvas of this size. */

@@ -147,7 +147,7 @@ function chooseNumbers([once, ...each]) {
     explain();
   };
   const values = new Map([...(once ? once.values : []), ...(chosen ? chosen.values : [])]);
-  for (const place of $("formula").querySelectorAll("[data-symbol]")) {
+  for (const place of formula().querySelectorAll("[data-symbol]")) {
     place.textContent = (values.get(place.dataset.symbol) || []).join("\n");
   }
 }

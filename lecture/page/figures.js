@@ -2,19 +2,24 @@
 
 class Figure {
   constructor(place) {
-    this.name = place.dataset.figure;
+    [this.name, this.about] = [place.dataset.figure, place.dataset.about];
     const canvas = element("canvas", {});
     place.append(canvas);
-    const box = element("div", { className: "controls" });
+    // What it is about is at hand; its other controls come after its text.
+    const [box, others] = [1, 2].map(() => element("div", { className: "controls" }));
+    this.more = element("details", { className: "others" }, element("summary", {}), others);
     place.after(box);
+    place.parentNode.append(this.more);
     const layers = [{ figure: this.name }];
     this.drawing = new Drawing(() => ({ layers, size: this.state.size }), (made, drawn) => {
-      put(canvas, this.name, this.state.size, made, 8);
+      put(canvas, this.name, this.state.size, made);
       place.dataset.drawn = drawn;
     });
-    this.controls = new Controls(box, `figure${this.drawing.number}-`, (what) => this.moved(what));
+    const own = (box) =>
+      new Controls(box, `figure${this.drawing.number}-`, (what) => this.moved(what));
+    [this.control, this.others] = [box, others].map(own);
     // As the keys do beside the picture.
-    box.onkeydown = (event) => {
+    place.parentNode.onkeydown = (event) => {
       const steps = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
       if (!steps || event.target.type !== "range") return;
       event.preventDefault();
@@ -29,7 +34,16 @@ class Figure {
 
   refresh(moving = false) {
     this.state = asked({ state: { of: this.name, spoken } });
-    this.controls.show(this.state.groups);
+    const { groups } = this.state;
+    const isAbout = ({ name }) => name === this.about;
+    const settings = groups.flatMap((group) => group.settings.filter(isAbout));
+    this.control.show([{ name: "", settings }]);
+    const without = (group) =>
+      ({ ...group, settings: group.settings.filter((setting) => !isAbout(setting)) });
+    const rest = groups.map(without).filter(({ settings }) => settings.length);
+    this.others.show(rest);
+    this.more.hidden = !rest.length;
+    this.more.firstChild.textContent = text("More controls");
     this.drawing.redraw(moving);
   }
 }

@@ -58,6 +58,7 @@ function nudge(steps) {
 function enlarge(factor) {
   larger = Math.min(4, Math.max(0.5, larger * factor));
   document.documentElement.style.setProperty("--larger", larger);
+  showLegend();
   show();
 }
 

@@ -3,8 +3,9 @@
 /** How much larger all letters are than usual. */
 let larger = 1;
 
-const stage = new Drawing(() => state, (made, drawn) => {
+const stage = new Drawing(() => ({ layers: state.layers, size: sharp() }), (made, drawn) => {
   show(made);
+  if (drawn) settle();
   document.body.dataset.drawn = drawn;
 });
 
@@ -18,14 +19,32 @@ const width = () => Math.max(1, $("picture").clientWidth);
 /** How high letters are on the picture and below it: as beside it, and larger where it is large. */
 const letters = () => Math.max(13, 0.022 * width()) * larger;
 
-/** Shows the picture that was made last, with what lies over it and below it now. */
+/** The most pixels of a picture at rest, and how long it may take where the screen has more. */
+const MOST_PIXELS = 2560 * 1440;
+const REST_MS = 600;
+
+/** The size of the picture at rest: as sharp as the screen, unless somebody asked for a size. */
+function sharp() {
+  const { size, sized } = state;
+  const pixels = size[0] * size[1];
+  const most = Math.min(MOST_PIXELS, REST_MS / stage.cost) / pixels;
+  const part = Math.min(width() * devicePixelRatio / size[0], Math.sqrt(most));
+  return size.map((side) => Math.round(side * (sized ? 1 : Math.max(1, part))));
+}
+
+/** Shows the picture that was made last, and what lies over it now. */
 function show(made = stage.made) {
   if (!made || made.left) return;
-  showLegend();
-  const { size, marked } = state;
-  // No larger than the picture can hold.
+  put($("now"), null, made.size, made);
+  const { marked, size } = state;
+  $("marks").hidden = !marked;
+  if (marked) mark($("marks"), made.dragged ? size : sharp());
+}
+
+/** Puts what lies over the picture on a canvas of this size, in letters that fit it. */
+function mark(canvas, size) {
   const text = Math.max(8, Math.min(size[1] / 12, letters() * size[0] / width()));
-  put($("now"), null, marked ? size : made.size, made, text);
+  fill(canvas, size, ask({ marks: { size, text } }));
 }
 
 /** What the colours of a told line stand for, as wide as the picture. */
@@ -43,12 +62,21 @@ function drawLegend(canvas, size, text, altered) {
   fill(canvas, size, ask({ below: { size, text, altered } }));
 }
 
-/** The letters over the picture are as high as those beside it, however wide it is. */
-new ResizeObserver(() => show()).observe($("picture"));
+/** The letters over the picture are as high as those beside it, however wide it is, and it is sharp. */
+new ResizeObserver(() => {
+  if (!state) return;
+  showLegend();
+  show();
+  if (!stage.busy && String(sharp()) !== String(stage.made.size)) redraw(true);
+}).observe($("picture"));
 /** What is scrolled to is not below the picture. */
 new ResizeObserver(() => {
   document.documentElement.style.setProperty("--view", `${$("view").offsetHeight}px`);
 }).observe($("view"));
+/** Where there is room beside the text, the tools stand below the picture. */
+new ResizeObserver(() => {
+  document.documentElement.style.setProperty("--stage", `${$("stage").offsetHeight}px`);
+}).observe($("stage"));
 
 function showStage() {
   const { step, size, pin, divider, holding, vectors, handles, outside } = state;
@@ -67,38 +95,48 @@ function showStage() {
     $("pin").style.left = `${100 * (pin[0] + 0.5) / size[0]}%`;
     $("pin").style.top = `${100 * (pin[1] + 0.5) / size[1]}%`;
   }
+  showLegend();
   const shape = `${size[0]} / ${size[1]}`;
   $("now").style.aspectRatio = shape;
   $("view").style.setProperty("--shape", shape);
   document.body.classList.toggle("alone", state.alone);
 }
 
-async function copy(what) {
-  notice(`${text("Copied:")} ${what}`);
-  try { await navigator.clipboard.writeText(what); } catch {
-    // Where that is forbidden, as it is from a server without a certificate, the old way may do.
-    const [field, focus] = [element("textarea", { value: what }), document.activeElement];
-    document.body.append(field);
-    field.select();
-    document.execCommand("copy");
-    field.remove();
-    focus.focus({ preventScroll: true });
-  }
+/** The old way, where the other is forbidden, as it is from a server without a certificate. */
+function copyAsOfOld(what) {
+  const [field, focus] = [element("textarea", { value: what }), document.activeElement];
+  document.body.append(field);
+  field.select();
+  const copied = document.execCommand("copy");
+  field.remove();
+  focus.focus({ preventScroll: true });
+  return copied;
 }
 
-/** Saves the picture; that of a told line with its legend below it. */
+async function copy(what) {
+  let copied = true;
+  try { await navigator.clipboard.writeText(what); } catch { copied = copyAsOfOld(what); }
+  notice(`${copied ? text("Copied:") : text("To copy by hand:")} ${what}`);
+}
+
+/** Saves the picture at its own size with what lies over it; that of a told line with its legend below. */
 function save() {
-  const { legend, name } = state;
-  let picture = $("now");
+  const { legend, layers, name, marked, size } = state;
+  const [width, height] = size;
+  const rgb = layers.map((layer) => ask({ rows: { layer, size, first: 0, count: height } }).slice());
+  const text = Math.max(12, Math.min(width, height) / 36);
+  const high = legend ? Math.round(legend[1] * text) : 0;
+  const [picture, over] = [element("canvas", { width, height: height + high }), element("canvas", {})];
+  const paper = picture.getContext("2d");
+  put(over, null, size, { size, rgb });
+  paper.drawImage(over, 0, 0);
+  if (marked) {
+    mark(over, size);
+    paper.drawImage(over, 0, 0);
+  }
   if (legend) {
-    const { width, height } = picture;
-    const text = Math.max(12, Math.min(width, height) / 36);
-    const [below, high] = [element("canvas", {}), Math.round(legend[1] * text)];
-    drawLegend(below, [width, high], text, true);
-    picture = element("canvas", { width, height: height + high });
-    const paper = picture.getContext("2d");
-    paper.drawImage($("now"), 0, 0);
-    paper.drawImage(below, 0, height);
+    drawLegend(over, [width, high], text, true);
+    paper.drawImage(over, 0, height);
   }
   element("a", { href: picture.toDataURL("image/png"), download: `${name}.png` }).click();
 }

@@ -1,22 +1,28 @@
-// The texts of a step: its handout, its equation below the picture; and the list of keys.
+// The texts of a step: its handout with the equation and the code in it; and the list of keys.
 
-/** The equation of each handout, which stands below the picture. */
-const formulas = new Map();
+/** The equation in the handout, with a place for the number of each symbol. */
+const formula = () => handout(state.step).querySelector(".equation");
 
+/** Whether the cover is shown. */
+let covered = false;
+
+/** Shows the step's handout, or the cover, from its top on. */
 function showStep() {
-  const shown = handout(state.step);
+  covered = isCovered();
+  const essay = handout(state.step);
+  const shown = covered ? $(`cover-${language}`) : essay;
   for (const link of $("steps").querySelectorAll("a")) {
-    if (link.hash === `#step${two(state.step)}`) link.setAttribute("aria-current", "page");
+    const is = !covered && link.hash === `#step${two(state.step)}`;
+    if (is) link.setAttribute("aria-current", "page");
     else link.removeAttribute("aria-current");
   }
   for (const article of document.querySelectorAll("article"))
     article.hidden = article !== shown;
-  if (!formulas.has(shown)) formulas.set(shown, shown.querySelector(".equation"));
-  $("formula").replaceChildren(formulas.get(shown));
-  $("formula").lang = language;
+  formula().querySelector("h3").after($("numbers"));
+  essay.querySelector(".exercise").before($("code"));
+  if (covered) showPassage();
   const title = titleOf(state.step);
-  document.title = `${title} · ${text("Ray tracing, step by step")}`;
-  $("title").textContent = title;
+  document.title = covered ? $("name").textContent : `${title} · ${$("name").textContent}`;
   $("now").setAttribute("aria-label", title);
 }
 
@@ -36,8 +42,7 @@ function read(before) {
     code: $("code"),
     idea: handout(step),
   }[reading];
-  const folded = shown.querySelector("details");
-  if (reading === "code" || reading === "idea") folded.open = true;
+  if (reading === "code") shown.querySelector("details").open = true;
   shown.scrollIntoView();
 }
 

@@ -7,7 +7,6 @@ use std::path::Path;
 use anyhow::Context;
 use anyhow::Result;
 use pulldown_cmark::CodeBlockKind;
-use pulldown_cmark::CowStr;
 use pulldown_cmark::Event;
 use pulldown_cmark::HeadingLevel;
 use pulldown_cmark::Options;
@@ -19,12 +18,18 @@ use show::text;
 
 use crate::equation;
 use crate::escape::escape;
+use crate::offer::offer;
 
 /// What the page says of a step, as HTML.
+#[derive(Default)]
 pub(crate) struct Handout {
     pub(crate) title: String,
-    /// What stands before the first heading.
+    /// What the step asks, as plain text.
+    pub(crate) question: String,
+    /// What else stands before the first heading.
     pub(crate) lead: String,
+    /// What is to be seen in the step's picture.
+    pub(crate) seen: String,
     pub(crate) sections: Vec<Section>,
 }
 
@@ -44,7 +49,7 @@ pub(crate) const TABLE: &str = "<div class=\"wide\" tabindex=\"0\" role=\"group\
 pub(crate) fn read(path: &Path, name: &str) -> Result<Handout> {
     let text = fs::read_to_string(path)
         .with_context(|| text!("cannot read {path}", path = path.display()))?;
-    let mut handout = Handout { title: String::new(), lead: String::new(), sections: Vec::new() };
+    let mut handout = Handout::default();
     let mut heading: Option<String> = None;
     let mut part = Vec::new();
     let mut level = None;
@@ -71,7 +76,14 @@ pub(crate) fn read(path: &Path, name: &str) -> Result<Handout> {
 
 fn finish(handout: &mut Handout, heading: Option<String>, mut part: Vec<Event<'_>>, name: &str) {
     if heading.as_ref().is_some_and(|heading| SHOWN_ALREADY.contains(&heading.as_str())) {
+        handout.seen = seen(&part, &format!("{name}_perspective.png"));
         return;
+    }
+    let is_quote = |event: &Event<'_>| matches!(event, Event::Start(Tag::BlockQuote(_)));
+    if let Some(start) = part.iter().position(is_quote).filter(|_| heading.is_none()) {
+        let is_end = |event: &Event<'_>| matches!(event, Event::End(TagEnd::BlockQuote(_)));
+        let end = part.iter().position(is_end).unwrap_or(start);
+        handout.question = words(part.drain(start..=end));
     }
     // The ways to the other steps and to the other language are the page's own.
     let is_way = |event: &Event<'_>| {
@@ -83,13 +95,37 @@ fn finish(handout: &mut Handout, heading: Option<String>, mut part: Vec<Event<'_
         let end = part[way..].iter().position(|event| *event == Event::End(TagEnd::Paragraph));
         part.drain(start.unwrap_or(way)..=way + end.unwrap_or(0));
     }
+    // The third is what is to be tried.
+    let is_tried = heading.is_some() && handout.sections.len() == 2;
     let mut text = String::new();
-    html::push_html(&mut text, on_the_page(part, name).into_iter());
-    let text = with_indices(&text);
+    html::push_html(&mut text, on_the_page(part, name, is_tried).into_iter());
+    let text = titled(&with_indices(&text));
     match heading {
         Some(heading) => handout.sections.push(Section { heading, html: text }),
         None => handout.lead.push_str(&text),
     }
+}
+
+/// What can be read in `part`, on a line.
+fn words<'a>(part: impl Iterator<Item = Event<'a>>) -> String {
+    let words = part.filter_map(|event| match event {
+        Event::Text(text) | Event::Code(text) => Some(text.to_string()),
+        Event::SoftBreak => Some(" ".to_owned()),
+        _ => None,
+    });
+    words.collect()
+}
+
+/// What is said of the picture whose path ends like this.
+fn seen(part: &[Event<'_>], path: &str) -> String {
+    let is_it = |event: &Event<'_>| matches!(event, Event::Start(Tag::Image { dest_url, .. }) if dest_url.ends_with(path));
+    let inside = part.iter().skip_while(|event| !is_it(event));
+    words(inside.take_while(|event| **event != Event::End(TagEnd::Image)).cloned())
+}
+
+/// `html` with the slides' titles as what they are: Portuguese, and beside the point.
+fn titled(html: &str) -> String {
+    html.replace('«', "<i lang=\"pt\">«").replace('»', "»</i>")
 }
 
 /// `html` with what stands in its text as `k_d` written with an index; code is as it is, and so is a
@@ -125,27 +161,58 @@ fn with_indices(html: &str) -> String {
     indexed
 }
 
-/// Equations become MathML, settings become links that set them, differences are coloured, tables of
-/// figures become figures; links to files, other pictures and comments stay out.
-fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str) -> Vec<Event<'a>> {
-    let number = &name[..6];
+/// Equations become MathML, settings what sets them, differences are coloured, a picture above its
+/// program's name becomes a figure; links to files, other pictures and comments stay out. Of what is to be
+/// tried only the first sentence is open.
+fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str, is_tried: bool) -> Vec<Event<'a>> {
     let mut events: Vec<Event<'a>> = Vec::new();
     let (mut links, mut code) = (Vec::new(), None);
     let mut told = equation::told(name);
-    // A figure's file and text, and where the table that it is in begins.
-    let mut table = 0;
+    // Where the paragraph begins, what is seen in the picture in it, and a figure's file and text.
+    let mut paragraph = 0;
+    let (mut image, mut alternative) = (false, String::new());
     let mut caption: Option<(String, String)> = None;
-    let mut image: Option<(CowStr<'_>, String)> = None;
-    let mut captions: Vec<(String, String)> = Vec::new();
-    let mut figures: Vec<(CowStr<'_>, String)> = Vec::new();
+    let mut about = String::new();
+    // Whether the end of an item's first sentence is looked for, and whether it was found.
+    let (mut guessing, mut folded) = (false, false);
     for event in part {
         match event {
-            Event::Start(Tag::Image { dest_url, .. }) => image = Some((dest_url, String::new())),
-            Event::End(TagEnd::Image) => figures.extend(image.take()),
-            Event::Text(text) if image.is_some() => {
-                image.iter_mut().for_each(|(_, alternative)| alternative.push_str(&text));
+            Event::Start(Tag::Image { .. }) => (image, alternative) = (true, String::new()),
+            Event::End(TagEnd::Image) => image = false,
+            Event::Text(text) if image => alternative.push_str(&text),
+            _ if image => {}
+            Event::Start(Tag::Paragraph) => {
+                paragraph = events.len();
+                events.push(event);
             }
-            _ if image.is_some() => {}
+            Event::End(TagEnd::Paragraph) => match caption.take() {
+                Some((path, caption)) => {
+                    events.truncate(paragraph);
+                    events.push(Event::Html(figure(&path, &caption, &alternative, &about).into()));
+                }
+                None => events.push(event),
+            },
+            Event::Start(Tag::Item) => {
+                guessing = is_tried;
+                events.push(event);
+            }
+            Event::Text(text) if guessing && ends(&text).is_some() => {
+                let (before, after) = text.split_at(ends(&text).unwrap_or(0));
+                events.push(Event::Text(before.to_owned().into()));
+                let fold = format!(
+                    " <details class=\"look\"><summary>{}</summary>",
+                    text!("Predict, then look")
+                );
+                events.push(Event::InlineHtml(fold.into()));
+                events.push(Event::Text(after.to_owned().into()));
+                (guessing, folded) = (false, true);
+            }
+            Event::End(TagEnd::Item) => {
+                if std::mem::take(&mut folded) {
+                    events.push(Event::InlineHtml("</details>".into()));
+                }
+                events.push(event);
+            }
             // What a handout says to the tests alone.
             Event::Html(html) | Event::InlineHtml(html)
                 if html.trim_start().starts_with("<!--") => {}
@@ -155,14 +222,10 @@ fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str) -> Vec<Event<'a>> {
             Event::InlineMath(latex) => {
                 events.push(Event::InlineHtml(equation::inline(&latex).into()));
             }
-            Event::Code(code) => match address(&code) {
-                Some(address) => {
-                    let code = escape(&code);
-                    let link = format!("<a class=\"try\" href=\"#{number}{address}\">{code}</a>");
-                    events.push(Event::InlineHtml(link.into()));
-                }
-                None => events.push(Event::Code(code)),
-            },
+            Event::Code(code) => events.push(match offer(name, &code) {
+                Some(offer) => Event::InlineHtml(offer.into()),
+                None => Event::Code(code),
+            }),
             Event::Start(Tag::CodeBlock(kind)) => {
                 let is_diff =
                     matches!(kind, CodeBlockKind::Fenced(language) if &*language == "diff");
@@ -174,28 +237,22 @@ fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str) -> Vec<Event<'a>> {
             Event::End(TagEnd::CodeBlock) => {
                 let html = match code.take() {
                     Some((true, code)) => coloured(code.lines()),
-                    Some((_, code)) => format!("<pre>{}</pre>", escape(&code)),
+                    Some((_, code)) => commands(name, &code),
                     None => String::new(),
                 };
                 events.push(Event::Html(html.into()));
             }
-            Event::Start(Tag::Table(alignments)) => {
-                (table, captions, figures) = (events.len(), Vec::new(), Vec::new());
+            Event::Start(Tag::Table(_)) => {
                 events.push(Event::Html(TABLE.into()));
-                events.push(Event::Start(Tag::Table(alignments)));
-            }
-            Event::End(TagEnd::Table) if !captions.is_empty() => {
-                events.truncate(table);
-                for (path, caption) in std::mem::take(&mut captions) {
-                    events.push(Event::Html(figure(&path, &caption, &figures).into()));
-                }
+                events.push(event);
             }
             Event::End(TagEnd::Table) => {
-                events.push(Event::End(TagEnd::Table));
+                events.push(event);
                 events.push(Event::Html("</div>".into()));
             }
-            Event::Start(Tag::Link { dest_url, .. }) => {
+            Event::Start(Tag::Link { dest_url, title, .. }) => {
                 if dest_url.starts_with("examples/") {
+                    about = title.to_string();
                     caption = Some((dest_url.to_string(), String::new()));
                 }
                 let step = dest_url.strip_prefix("../step").and_then(|rest| rest.get(..2));
@@ -206,7 +263,6 @@ fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str) -> Vec<Event<'a>> {
                 }
             }
             Event::End(TagEnd::Link) => {
-                captions.extend(caption.take());
                 if links.pop() == Some(true) {
                     events.push(Event::InlineHtml("</a>".into()));
                 }
@@ -220,35 +276,33 @@ fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str) -> Vec<Event<'a>> {
     events
 }
 
-/// The figure whose program is in `path`: what it shows, and a place for it, of the shape of its
-/// picture. `pictures` are those of all figures, with what is to be seen in them.
-fn figure(path: &str, caption: &str, pictures: &[(CowStr<'_>, String)]) -> String {
-    let name = path.trim_start_matches("examples/").trim_end_matches(".rs");
-    let picture = format!("figures/{name}.");
-    let seen = pictures.iter().find(|(path, _)| path.starts_with(&picture));
-    let (caption, seen) = (escape(caption), escape(seen.map_or("", |(_, seen)| seen)));
-    format!(
-        "<figure><figcaption>{caption}</figcaption>\
-         <div class=\"still {name}\" data-figure=\"{name}\" role=\"img\" aria-label=\"{seen}\"></div></figure>"
-    )
+/// Where the first sentence of `text` ends that ends in it.
+fn ends(text: &str) -> Option<usize> {
+    text.find(". ").map(|at| at + 1).or(text.ends_with('.').then_some(text.len()))
 }
 
-/// `--camera parallel --set p=10` as it stands in an address.
-fn address(code: &str) -> Option<String> {
-    let mut address = String::new();
-    let mut words = code.split_whitespace();
-    while let Some(flag) = words.next() {
-        match flag {
-            "--set" => write!(address, "&amp;{}", escape(words.next()?)).ok()?,
-            "--outside" => address.push_str("&amp;outside=on"),
-            "--curve" => address.push_str("&amp;curve=on"),
-            "--camera" | "--pixel" | "--size" | "--show" | "--range" | "--what-if" => {
-                write!(address, "&amp;{}={}", &flag[2..], escape(words.next()?)).ok()?;
-            }
-            _ => return None,
-        }
+/// Commands: those that the page does itself to be tapped, and none that it has done already.
+fn commands(name: &str, code: &str) -> String {
+    let this = format!("cargo run -p {name}");
+    if code.trim() == this {
+        return String::new();
     }
-    (!address.is_empty()).then_some(address)
+    let offer = |line: &str| offer(name, line.strip_prefix(&format!("{this} -- "))?);
+    match code.lines().map(offer).collect::<Option<Vec<_>>>() {
+        Some(offers) => format!("<p>{}</p>", offers.join(" · ")),
+        None => format!("<pre>{}</pre>", escape(code)),
+    }
+}
+
+/// The figure whose program is in `path`, in which this is seen: a place for it, of the shape of its
+/// picture, with the control that it is `about`, and what it shows.
+fn figure(path: &str, caption: &str, seen: &str, about: &str) -> String {
+    let name = path.trim_start_matches("examples/").trim_end_matches(".rs");
+    let [caption, seen, about] = [caption, seen, about].map(escape);
+    format!(
+        "<figure><div class=\"still {name}\" data-figure=\"{name}\" data-about=\"{about}\" role=\"img\" aria-label=\"{seen}\"></div>\
+         <figcaption>{caption}</figcaption></figure>"
+    )
 }
 
 /// Lines of a difference: what is new, what is gone, and what is around it.

@@ -25,11 +25,15 @@ use crate::PROGRAMS;
 use crate::escape::escape;
 use crate::handout;
 use crate::handout::Handout;
+use crate::handout::Section;
 use crate::packed::packed;
 
 /// Pixels of a figure's picture, and what part of it a JPEG keeps: so that the page stays small.
 const STILL_WIDTH: u32 = 280;
 const STILL_QUALITY: u8 = 35;
+
+/// Of a step's own picture, which is small already.
+const STEP_QUALITY: u8 = 70;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
@@ -49,6 +53,8 @@ const SCRIPT: &str = concat!(
     include_str!("../page/address.js"),
     include_str!("../page/stage.js"),
     include_str!("../page/step.js"),
+    include_str!("../page/prose.js"),
+    include_str!("../page/cover.js"),
     include_str!("../page/explanation.js"),
     include_str!("../page/code.js"),
     include_str!("../page/desk.js"),
@@ -79,21 +85,37 @@ pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
         "@font-face {{ font-family: Mathematics; src: url(data:font/woff2;base64,{font}); }}\n{}",
         include_str!("../page/style.css")
     );
-    for program in PROGRAMS {
-        let (folder, number) = (root.join(program.name), &program.name[4..6]);
-        let _ = writeln!(
-            links,
-            "<li><a href=\"#step{number}\"><b>{number}</b> <span data-step=\"{number}\"></span></a></li>"
-        );
-        for language in Language::all() {
+    let spoken = Language::spoken();
+    for language in Language::all() {
+        // What is said besides the handouts is said in their language.
+        language.speak();
+        let read = |folder: &str| {
             let file = match language {
                 Language::ENGLISH => "README.md".to_owned(),
                 language => format!("README.{}.md", language.tag()),
             };
-            let handout = handout::read(&folder.join(file), program.name)?;
-            articles.push_str(&article(&handout, number, language.tag()));
+            handout::read(&root.join(folder).join(file), folder)
+        };
+        let steps = PROGRAMS.iter().map(|program| read(program.name)).collect::<Result<Vec<_>>>();
+        let steps = steps.inspect_err(|_| spoken.speak())?;
+        articles.push_str(&cover(&read(".")?, &steps, language.tag()));
+        for (place, handout) in steps.iter().enumerate() {
+            articles.push_str(&article(handout, steps.get(place + 1), place, language.tag()));
+            if language == Language::ENGLISH {
+                let name = handout.title.rsplit(" · ").next().unwrap_or_default();
+                let number = number(place);
+                let _ = writeln!(
+                    links,
+                    "<li><a href=\"#step{number}\"><b>{number}</b> <span data-step=\"{number}\">{name}</span></a></li>"
+                );
+            }
         }
-        stills(&folder.join("figures"), &mut style)?;
+    }
+    spoken.speak();
+    for program in PROGRAMS {
+        let picture = format!("tests/pictures/{}_perspective.png", program.name);
+        still(&root.join(picture), program.name, STEP_QUALITY, &mut style)?;
+        stills(&root.join(program.name).join("figures"), &mut style)?;
     }
     let template = include_str!("../page/index.html");
     let texts = texts(&[template, SCRIPT, &articles]);
@@ -153,14 +175,20 @@ fn stills(folder: &Path, style: &mut String) -> Result<()> {
         if name.contains('.') {
             continue;
         }
-        let picture = image::open(&path).with_context(|| path.display().to_string())?;
-        let (width, height) = (picture.width(), picture.height());
-        let bytes = jpeg(picture, STILL_WIDTH, STILL_QUALITY)?;
-        let _ = writeln!(
-            style,
-            ".{name} {{ aspect-ratio: {width} / {height}; background-image: url(data:image/jpeg;base64,{bytes}); }}"
-        );
+        still(&path, &name, STILL_QUALITY, style)?;
     }
+    Ok(())
+}
+
+/// The picture in `path` as the ground of what is of the class `name`.
+fn still(path: &Path, name: &str, quality: u8, style: &mut String) -> Result<()> {
+    let picture = image::open(path).with_context(|| path.display().to_string())?;
+    let (width, height) = (picture.width(), picture.height());
+    let bytes = jpeg(picture, STILL_WIDTH, quality)?;
+    let _ = writeln!(
+        style,
+        ".{name} {{ aspect-ratio: {width} / {height}; background-image: url(data:image/jpeg;base64,{bytes}); }}"
+    );
     Ok(())
 }
 
@@ -176,35 +204,61 @@ pub(crate) fn jpeg(picture: impl Into<DynamicImage>, width: u32, quality: u8) ->
     Ok(STANDARD.encode(bytes))
 }
 
-/// A step's handout.
-fn article(handout: &Handout, number: &str, language: &str) -> String {
-    let title = escape(&handout.title);
+fn number(place: usize) -> String {
+    format!("{:02}", place + 1)
+}
+
+/// A step's handout, as an essay: what it asks comes first, and the next step's question last.
+fn article(handout: &Handout, next: Option<&Handout>, place: usize, language: &str) -> String {
+    let Handout { title, question, lead, seen, sections } = handout;
+    let [title, question, seen] = [title, question, seen].map(|text| escape(text));
+    let (number, name) = (number(place), PROGRAMS[place].name);
     let mut html = format!(
-        "<article id=\"handout{number}-{language}\" lang=\"{language}\"><h2>{title}</h2>{}",
-        handout.lead
+        "<article id=\"handout{number}-{language}\" lang=\"{language}\"><h2>{title}</h2>\
+         <p class=\"question\">{question}</p>\
+         <div class=\"still shot {name}\" role=\"img\" aria-label=\"{seen}\"></div>\n"
     );
-    for (place, section) in handout.sections.iter().enumerate() {
-        let (class, open) = match place {
-            0 => ("idea", " open"),
-            1 => ("equation", " open"),
-            2 => ("try", " open"),
-            _ => ("more", ""),
-        };
-        let heading = escape(&section.heading);
-        // The symbols are folded, so that the equation has room beside the picture.
-        let text = match section.html.split_once(handout::TABLE) {
-            Some((equation, table)) if class == "equation" => format!(
-                "{equation}<details><summary data-text=\"Symbols\"></summary>{TABLE}{table}</details>",
-                TABLE = handout::TABLE,
-            ),
-            _ => section.html.clone(),
-        };
+    let kinds = ["idea", "equation", "try", "trap", "asks", "exercise"];
+    for (place, Section { heading, html: text }) in sections.iter().enumerate() {
+        let kind = kinds.get(place).unwrap_or(&"more");
+        let heading = escape(heading);
+        let _ = writeln!(html, "<section class=\"{kind}\"><h3>{heading}</h3>{text}</section>");
+    }
+    if let Some(Handout { title, question, .. }) = next {
+        let [title, question] = [title, question].map(|text| escape(text));
+        let number = self::number(place + 1);
         let _ = writeln!(
             html,
-            "<details class=\"{class}\"{open}><summary><h3>{heading}</h3></summary>{text}</details>"
+            "<p class=\"next\"><a href=\"#step{number}\"><small>{title}</small> {question}</a></p>"
         );
     }
-    html + "</article>\n"
+    let _ = writeln!(html, "<div class=\"slides\">{lead}</div></article>");
+    if language == Language::ENGLISH.tag() {
+        // Where there is no script, the links lead here.
+        html = format!("<noscript><span id=\"step{number}\"></span></noscript>{html}");
+    }
+    html
+}
+
+/// What the whole class is, and what its steps ask.
+fn cover(readme: &Handout, steps: &[Handout], language: &str) -> String {
+    let title = escape(&readme.title);
+    let paragraphs = readme.lead.split_inclusive("</p>").collect::<Vec<_>>();
+    let promise = paragraphs.get(1).copied().unwrap_or_default();
+    let mut html = format!(
+        "<article id=\"cover-{language}\" class=\"cover\" lang=\"{language}\"><h2>{title}</h2>\
+         <div class=\"still shot {last}\" role=\"img\" aria-label=\"{seen}\"></div>{promise}<ol>\n",
+        last = PROGRAMS[PROGRAMS.len() - 1].name,
+        seen = escape(steps.last().map_or("", |step| &step.seen)),
+    );
+    for (place, Handout { question, .. }) in steps.iter().enumerate() {
+        let (number, question) = (number(place), escape(question));
+        let _ = writeln!(
+            html,
+            "<li><a href=\"#step{number}\"><b>{number}</b> <span>{question}</span></a></li>"
+        );
+    }
+    html + "</ol></article>\n"
 }
 
 /// `template` with each `{{name}}` replaced. What is put in is not looked at again.

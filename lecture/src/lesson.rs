@@ -24,12 +24,20 @@ impl Lesson {
         let mut lesson = Self::default();
         let (mut question, mut idea, mut equations) = (String::new(), String::new(), String::new());
         let mut section = 0;
-        let mut text = String::new();
+        let (mut text, mut is_figure) = (String::new(), false);
         for event in Parser::new_ext(markdown, Options::ENABLE_TABLES | Options::ENABLE_MATH) {
             match event {
                 Event::Start(Tag::Heading { level: HeadingLevel::H2, .. }) => section += 1,
-                Event::Start(Tag::Paragraph | Tag::Heading { .. }) => text.clear(),
+                Event::Start(Tag::Paragraph | Tag::Heading { .. }) => {
+                    text.clear();
+                    is_figure = false;
+                }
+                Event::Start(Tag::Image { .. }) => is_figure = true,
                 Event::Text(part) | Event::Code(part) => text.push_str(&part),
+                // A vector's name stays bold.
+                Event::Start(Tag::Strong) | Event::End(TagEnd::Strong) if section == 1 => {
+                    text.push_str("**")
+                }
                 Event::SoftBreak => text.push(' '),
                 Event::DisplayMath(latex) if section == 2 => {
                     for equation in latex.split(r"\qquad") {
@@ -41,7 +49,7 @@ impl Lesson {
                     lesson.concept = text.rsplit(" · ").next().unwrap_or_default().to_owned();
                 }
                 Event::End(TagEnd::BlockQuote(_)) if section == 0 => question = text.clone(),
-                Event::End(TagEnd::Paragraph) if section == 1 => {
+                Event::End(TagEnd::Paragraph) if section == 1 && !is_figure => {
                     idea.push_str(&format!("\n{text}\n"))
                 }
                 _ => {}

@@ -17,13 +17,14 @@ mod html;
 #[cfg(not(target_family = "wasm"))]
 mod lesson;
 #[cfg(not(target_family = "wasm"))]
+mod offer;
+#[cfg(not(target_family = "wasm"))]
 mod packed;
 #[cfg(not(target_family = "wasm"))]
 mod paper;
 
 use std::rc::Rc;
 
-use common::Step;
 pub use figures::FIGURES;
 #[cfg(not(target_family = "wasm"))]
 pub use html::build;
@@ -38,6 +39,7 @@ use show::Size;
 use show::Suite;
 #[cfg(not(target_family = "wasm"))]
 use show::translations;
+use telling::AnyStep;
 
 /// A step as a program.
 #[derive(Clone, Copy, Debug)]
@@ -45,7 +47,7 @@ pub struct Program {
     /// The step's package.
     pub name: &'static str,
     /// Makes the step as it starts.
-    pub make: fn() -> Box<dyn Step>,
+    pub make: fn() -> Box<dyn AnyStep>,
     /// Its handout in each language, in Markdown.
     #[cfg(not(target_family = "wasm"))]
     pub handouts: &'static [&'static str],

@@ -35,15 +35,12 @@ impl Step for Seen {
         let camera = self.camera(camera, image.width(), image.height());
         self.lesson.render(&*camera, image);
     }
+}
 
-    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color {
+impl Tell for Seen {
+    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &impl Listener) -> Color {
         let camera = self.camera(camera, pixel.width, pixel.height);
         self.lesson.tell(&*camera, pixel, say)
-    }
-
-    fn probe(&self, camera: &dyn Camera, pixel: Pixel, say: &Probe<'_>) -> Color {
-        let camera = self.camera(camera, pixel.width, pixel.height);
-        self.lesson.probe(&*camera, pixel, say)
     }
 }
 

@@ -50,13 +50,10 @@ impl Step for Lesson {
     fn render(&self, camera: &dyn Camera, image: &mut Image<'_>) {
         render(camera, image, |ray| self.trace(ray, &Silent));
     }
+}
 
-    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color {
-        let ray = viewing_ray(camera, pixel, say);
-        self.trace(&ray, say)
-    }
-
-    fn probe(&self, camera: &dyn Camera, pixel: Pixel, say: &Probe<'_>) -> Color {
+impl Tell for Lesson {
+    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &impl Listener) -> Color {
         let ray = viewing_ray(camera, pixel, say);
         self.trace(&ray, say)
     }

@@ -60,8 +60,8 @@ impl Scene {
         say.shadow_ray("V", &shadow_ray, hit.map(|(record, object)| (object.name, record.t)))
     }
 
-    /// L_a, and what each light adds that is not blocked. Slides «Múltiplas luzes» and «Illuminação
-    /// ambiente».
+    /// L_a, and what each light adds that is not blocked. Slides «Imagen obtida até o momento»,
+    /// «Múltiplas luzes» and «Illuminação ambiente».
     pub fn shade(
         &self, ray: &Ray, point: Vec3, normal: Vec3, material: &Material, say: &impl Listener,
     ) -> Color {

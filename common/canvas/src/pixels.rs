@@ -1,4 +1,4 @@
-//! Pixels in a row: encoded, compared with those of another picture, and packed.
+//! Pixels in a row: encoded, compared with those of another picture, and packed as others take them.
 
 use common::Color;
 use image::RgbImage;
@@ -56,4 +56,34 @@ pub fn pack(picture: &RgbImage, packed: &mut Vec<u32>) {
         let [r, g, b] = pixel.0;
         u32::from_be_bytes([0, r, g, b])
     }));
+}
+
+/// The bytes of `picture` as browsers take them: red, green, blue, and how much it covers, all.
+pub fn rgba(picture: &RgbImage) -> Vec<u8> {
+    let mut rgba = vec![255; picture.len() / 3 * 4];
+    for (to, from) in rgba.chunks_exact_mut(4).zip(picture.chunks_exact(3)) {
+        to[..3].copy_from_slice(from);
+    }
+    rgba
+}
+
+/// What `draw` draws on nothing, as browsers take it. It is called twice: over black and over white it
+/// looks alike where it covers all, and tells elsewhere how much of either is seen through it.
+pub fn on_nothing(width: u32, height: u32, draw: &mut dyn FnMut(&mut RgbImage)) -> Vec<u8> {
+    let [black, white] = [0, 255].map(|ground| {
+        let bytes = vec![ground; 3 * width as usize * height as usize];
+        let mut picture = RgbImage::from_raw(width, height, bytes).unwrap_or_default();
+        draw(&mut picture);
+        picture
+    });
+    let mut rgba = vec![0; black.len() / 3 * 4];
+    let pixels = black.chunks_exact(3).zip(white.chunks_exact(3));
+    for (to, (black, white)) in rgba.chunks_exact_mut(4).zip(pixels) {
+        let cover = 255 - white[1].saturating_sub(black[1]);
+        if cover > 0 {
+            let color = |code: u8| (255 * u32::from(code) / u32::from(cover)).min(255) as u8;
+            to.copy_from_slice(&[color(black[0]), color(black[1]), color(black[2]), cover]);
+        }
+    }
+    rgba
 }

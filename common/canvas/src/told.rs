@@ -2,16 +2,16 @@
 
 use std::sync::LazyLock;
 
-use common::Answer;
 use common::Camera;
 use common::Color;
 use common::Image;
-use common::Kept;
-use common::LineName;
 use common::Pixel;
-use common::Probe;
-use common::Step;
 use common::Vec3;
+use telling::Answer;
+use telling::AnyStep;
+use telling::Kept;
+use telling::LineName;
+use telling::Probe;
 
 use crate::decode;
 
@@ -100,7 +100,7 @@ fn stripe(Pixel { col, row, height, .. }: Pixel) -> Color {
 /// Draws `told` at every pixel of `image` as `step` tells it when some lines are answered otherwise; or,
 /// without a line, what is seen then.
 pub fn draw_told(
-    step: &dyn Step, camera: &dyn Camera, image: &mut Image<'_>, answers: &[Answer],
+    step: &dyn AnyStep, camera: &dyn Camera, image: &mut Image<'_>, answers: &[Answer],
     told: Option<&Told<'_>>,
 ) {
     let probe = Probe::new(told.map(|told| told.line), answers);

@@ -19,7 +19,6 @@ use crate::first_line::first_line;
 use crate::mistake::centered;
 use crate::other;
 use crate::other::Answer;
-use common::Explanation;
 use common::Pixel;
 use show::Comparison;
 use show::Difference;
@@ -30,6 +29,7 @@ use show::Workspace;
 use show::side_by_side;
 use show::text;
 use show::written;
+use telling::Explanation;
 
 /// How many times its light a picture is compared with where some of it is darker than black, or brighter
 /// than white. Where a picture cuts that off, the mean of many rays does not.

@@ -24,7 +24,7 @@ use std::rc::Rc;
 use anyhow::Result;
 use image::RgbImage;
 
-use common::Step;
+use common::Tell;
 pub use diagnosis::Diagnosis;
 pub use milestone::Milestone;
 pub use mistake::Mistake;
@@ -50,7 +50,7 @@ pub use symbol::SYMBOLS;
 /// `name` is the step's package, `concept` the line that says what it teaches, `files` its code, `handout`
 /// what is read about it. The exit status is 0 when all was done, 1 when it failed or a comparison found a
 /// difference, 2 for wrong usage.
-pub fn main<S: Step + Default + 'static>(
+pub fn main<S: Tell + Default + 'static>(
     name: &'static str, concept: &'static str, files: Files, handout: &'static str,
 ) -> ExitCode {
     let make = Rc::new(|| Box::new(Lesson(Box::new(S::default()))) as Box<dyn Shown>);

@@ -10,10 +10,10 @@ use crate::sample::Place;
 use crate::sample::Sample;
 use crate::symbol::*;
 use common::Color;
-use common::Slip;
 use show::encode;
 use show::text;
 use show::translated;
+use telling::Slip;
 
 /// How a milestone's ways are coloured.
 #[derive(Clone, Copy, Debug, PartialEq)]

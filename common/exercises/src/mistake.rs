@@ -14,12 +14,8 @@ use crate::sample::Shot;
 use crate::symbol::VISIBLE;
 use common::Camera;
 use common::Color;
-use common::Explanation;
 use common::Pixel;
 use common::Ray;
-use common::Recorder;
-use common::Slip;
-use common::Step;
 use common::Vec3;
 use show::Frame;
 use show::Radiance;
@@ -29,6 +25,10 @@ use show::Shown;
 use show::encode;
 use show::first_hit;
 use show::translated;
+use telling::AnyStep;
+use telling::Explanation;
+use telling::Recorder;
+use telling::Slip;
 
 /// A mistake that the lecture knows: what is wrong, and where to look.
 ///
@@ -159,7 +159,7 @@ fn color(mistakes: &[&Mistake], shot: &Shot<'_>, pixel: Pixel) -> Color {
     if let Some(range) = blocked {
         for light in said.told.all() {
             let ray = light.lines().find_map(|line| match line.place {
-                Some(common::Place::ShadowRay(ray, _)) => Some(ray),
+                Some(telling::Place::ShadowRay(ray, _)) => Some(ray),
                 _ => None,
             });
             let Some(ray) = ray else { continue };
@@ -211,9 +211,9 @@ impl Camera for OneRay {
 }
 
 /// What is seen along `ray` in `pixel`, whichever ray the step's pixel loop takes, with `slips`.
-fn seen(step: &dyn Step, ray: Ray, pixel: Pixel, slips: &[Slip]) -> Explanation {
+fn seen(step: &dyn AnyStep, ray: Ray, pixel: Pixel, slips: &[Slip]) -> Explanation {
     let recorder = Recorder::mistaken(pixel, slips);
-    let color = step.tell(&OneRay(ray), pixel, &recorder);
+    let color = step.record(&OneRay(ray), pixel, &recorder);
     recorder.finish(color)
 }
 

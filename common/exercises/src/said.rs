@@ -1,13 +1,13 @@
 //! What a mistake can know: what a step has told of a pixel so far.
 
 use common::Color;
-use common::Explanation;
-use common::Outcome;
-use common::Place;
 use common::Ray;
-use common::Scope;
 use common::Value;
 use common::Vec3;
+use telling::Explanation;
+use telling::Outcome;
+use telling::Place;
+use telling::Scope;
 
 use crate::symbol::*;
 
@@ -15,7 +15,7 @@ use crate::symbol::*;
 /// was told before; where that lacks something that it asks for, the value stays.
 macro_rules! told {
     (|$said:pat_param| $($symbol:ident($value:pat_param) => $other:expr),+ $(,)?) => {
-        |so_far: &common::Explanation, symbol: &'static str, value: common::Value| {
+        |so_far: &telling::Explanation, symbol: &'static str, value: common::Value| {
             let $said = &$crate::said::Said(so_far);
             $(
                 let other = $symbol.told_otherwise(symbol, value, |$value| Some($other));

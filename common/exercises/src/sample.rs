@@ -4,7 +4,6 @@ use image::RgbImage;
 
 use crate::mistake::Mistake;
 use common::Camera;
-use common::Step;
 use common::Vec3;
 use show::Frame;
 use show::Setup;
@@ -12,6 +11,7 @@ use show::Shown;
 use show::Size;
 use show::TOLERANCE;
 use show::off;
+use telling::AnyStep;
 
 /// A step as it is set up and seen, and as each mistake in its settings has it.
 pub struct Scene {
@@ -74,9 +74,9 @@ impl<'a> Shot<'a> {
     }
 
     /// The step with the mistake `what`, if that is one of settings.
-    pub(crate) fn altered(&self, what: &str) -> Option<&'a dyn Step> {
+    pub(crate) fn altered(&self, what: &str) -> Option<&'a dyn AnyStep> {
         let altered = self.altered.iter().find(|altered| altered.0 == what);
-        altered.map(|(_, step)| &**step as &dyn Step)
+        altered.map(|(_, step)| &**step as &dyn AnyStep)
     }
 }
 

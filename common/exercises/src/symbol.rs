@@ -3,9 +3,9 @@
 
 use std::marker::PhantomData;
 
-use common::Line;
 use common::Value;
 use common::Vec3;
+use telling::Line;
 
 /// A symbol whose value is a `T`.
 pub(crate) struct Symbol<T> {

@@ -13,7 +13,7 @@ use canvas::encode_means;
 use common::Camera;
 use common::Color;
 use common::Image;
-use common::Step;
+use telling::AnyStep;
 
 /// Width and height of a picture, in pixels: each from 1 to [`MAX_SIDE`](Self::MAX_SIDE),
 /// together at most [`MAX_PIXELS`](Self::MAX_PIXELS) pixels.
@@ -122,7 +122,7 @@ impl fmt::Display for Size {
 #[derive(Clone, Copy)]
 pub struct Frame<'a> {
     /// What is seen.
-    pub step: &'a dyn Step,
+    pub step: &'a dyn AnyStep,
     /// Where it is seen from.
     pub camera: &'a dyn Camera,
     /// How large the picture is.
@@ -136,7 +136,7 @@ pub struct Frame<'a> {
 /// # Errors
 ///
 /// When it does not: where it went, and what to loop over, in one sentence.
-pub fn check_loop(step: &dyn Step) -> Result<(), String> {
+pub fn check_loop(step: &dyn AnyStep) -> Result<(), String> {
     let mut colors = [Color::ZERO; 12];
     let mut image = Image::new(4, 3, 0, &mut colors);
     step.render(&*step.view().camera(4.0 / 3.0), &mut image);

@@ -18,13 +18,13 @@ use crate::vectors::symbol_ink;
 use crate::vectors::unit;
 use crate::vectors::viewing_ray;
 use common::Camera;
-use common::Explanation;
 use common::Pixel;
 use common::Projection;
 use common::Ray;
-use common::Step;
 use common::Vec3;
 use common::View;
+use telling::AnyStep;
+use telling::Explanation;
 
 /// The camera seen from outside: its eye, its window of pixels with the picture on it, and its rays
 /// in the scene.
@@ -33,7 +33,7 @@ use common::View;
 #[derive(Clone, Copy)]
 pub struct Outside<'a> {
     /// What both see.
-    pub step: &'a dyn Step,
+    pub step: &'a dyn AnyStep,
     /// The camera that is seen.
     pub view: &'a View,
     /// From where it is seen: that of the view [`onlooker`](Self::onlooker) to begin with.

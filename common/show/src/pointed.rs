@@ -9,11 +9,11 @@ use crate::Sight;
 use crate::marks;
 use crate::sight::distance;
 use crate::vectors::unit;
-use common::Explanation;
-use common::LineName;
-use common::Place;
-use common::Scope;
 use common::Vec3;
+use telling::Explanation;
+use telling::LineName;
+use telling::Place;
+use telling::Scope;
 
 /// What lies over the chosen line's arrow, ray, point or area.
 const CHOSEN: Ink = Ink::new(255, 208, 64).with_alpha(130);

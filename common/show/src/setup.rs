@@ -15,9 +15,9 @@ use crate::control::first_word;
 use crate::text;
 use common::Camera;
 use common::Controls;
-use common::Step;
 use common::Vec3;
 use common::View;
+use telling::AnyStep;
 
 /// A step, where it is seen from, and what was changed in both: all that a picture is made of.
 ///
@@ -98,7 +98,7 @@ impl fmt::Display for SettingError {
 impl std::error::Error for SettingError {}
 
 /// Shows `to` all controls: the step's, then the camera's.
-fn show(step: &mut dyn Step, view: &mut View, to: &mut dyn Controls) {
+fn show(step: &mut dyn AnyStep, view: &mut View, to: &mut dyn Controls) {
     to.group("");
     step.controls(to);
     view.controls(to);
@@ -115,7 +115,7 @@ impl Setup {
     }
 
     /// The step, as it was changed.
-    pub fn step(&self) -> &dyn Step {
+    pub fn step(&self) -> &dyn AnyStep {
         &*self.step
     }
 

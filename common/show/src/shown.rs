@@ -6,19 +6,20 @@ use common::Color;
 use common::Controls;
 use common::Image;
 use common::Pixel;
-use common::Probe;
-use common::Recorder;
 use common::Step;
 use common::View;
+use telling::AnyStep;
+use telling::Probe;
+use telling::Recorder;
 
 /// A step with what is drawn over its finished picture.
-pub trait Shown: Step {
+pub trait Shown: AnyStep {
     /// Draws over the finished picture that `camera` sees: a figure's words and lines.
     fn draw_over(&self, camera: &dyn Camera, canvas: &mut Canvas<'_>);
 }
 
 /// A lesson, whose picture is left as it was rendered.
-pub struct Lesson(pub Box<dyn Step>);
+pub struct Lesson(pub Box<dyn AnyStep>);
 
 impl Step for Lesson {
     fn view(&self) -> View {
@@ -32,9 +33,11 @@ impl Step for Lesson {
     fn render(&self, camera: &dyn Camera, image: &mut Image<'_>) {
         self.0.render(camera, image);
     }
+}
 
-    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color {
-        self.0.tell(camera, pixel, say)
+impl AnyStep for Lesson {
+    fn record(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color {
+        self.0.record(camera, pixel, say)
     }
 
     fn probe(&self, camera: &dyn Camera, pixel: Pixel, say: &Probe<'_>) -> Color {

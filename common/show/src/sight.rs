@@ -2,13 +2,13 @@
 
 use crate::Area;
 use common::Camera;
-use common::Explanation;
-use common::Outcome;
 use common::Pixel;
-use common::Place;
 use common::Ray;
-use common::Step;
 use common::Vec3;
+use telling::AnyStep;
+use telling::Explanation;
+use telling::Outcome;
+use telling::Place;
 
 /// What a camera sees of a step, filling an area of a picture: where a point of the world is in it,
 /// and whether something hides it.
@@ -17,7 +17,7 @@ use common::Vec3;
 #[derive(Clone, Copy)]
 pub struct Sight<'a> {
     /// What is seen.
-    pub step: &'a dyn Step,
+    pub step: &'a dyn AnyStep,
     /// Where it is seen from.
     pub camera: &'a dyn Camera,
     /// Where on the picture.
@@ -73,12 +73,12 @@ pub(crate) fn told_hit(explanation: &Explanation, ray: &Ray) -> Option<f32> {
 }
 
 /// What `step` tells of `ray`.
-pub(crate) fn explain_ray(step: &dyn Step, ray: &Ray) -> Explanation {
+pub(crate) fn explain_ray(step: &dyn AnyStep, ray: &Ray) -> Explanation {
     step.explain(&Fixed(*ray), Pixel { col: 0, row: 0, width: 1, height: 1 })
 }
 
 /// The t of the first thing in `step` that `ray` hits; `None` when it hits nothing.
-pub fn first_hit(step: &dyn Step, ray: &Ray) -> Option<f32> {
+pub fn first_hit(step: &dyn AnyStep, ray: &Ray) -> Option<f32> {
     told_hit(&explain_ray(step, ray), ray)
 }
 

@@ -10,12 +10,12 @@ use crate::sight::told_hit;
 use crate::text;
 use crate::translated;
 use common::Camera;
-use common::Explanation;
-use common::Outcome;
-use common::Place;
 use common::Ray;
-use common::Scope;
 use common::Vec3;
+use telling::Explanation;
+use telling::Outcome;
+use telling::Place;
+use telling::Scope;
 
 /// The colour of a symbol wherever it is drawn or written, apart for those who see few colours too
 /// (Okabe and Ito's); `None` for one that is not drawn.

@@ -5,13 +5,13 @@ use std::fmt::Write as _;
 use crate::encode;
 use crate::text;
 use crate::translated;
-use common::Explanation;
-use common::Outcome;
-use common::Part;
 use common::Pixel;
-use common::Scope;
 use common::Value;
 use common::Vec3;
+use telling::Explanation;
+use telling::Outcome;
+use telling::Part;
+use telling::Scope;
 
 /// The digits of a number alone, and of each of several: nearly all that an `f32` has, so that who
 /// goes on computing with what is shown gets the next line.

@@ -3,9 +3,13 @@
 use serde::Serialize;
 use show::Asked;
 use show::Desk;
+use show::Prose;
 use show::Reading;
 use show::Stop;
 use show::Tour;
+use show::escaped;
+use show::mathml;
+use show::prose;
 
 /// A tour as JSON has it: its title, and of each stop the slide, the subtitle, the address, the text,
 /// the question and the answer.
@@ -40,7 +44,16 @@ pub(crate) fn tour((title, stops): Told) -> Tour {
     Tour { title, stops: stops.into_iter().map(stop).collect() }
 }
 
-/// Where the class is, and what is said there.
+/// A text with its symbols set.
+fn html(text: &str) -> String {
+    let part = |part| match part {
+        Prose::Text(text) => escaped(&text),
+        Prose::Symbol(math) => mathml(&math, false, &mut |_, _| None),
+    };
+    prose(text).into_iter().map(part).collect()
+}
+
+/// Where the class is, and what is said there: subtitle, question and text in HTML.
 #[derive(Serialize)]
 pub(crate) struct Here {
     number: usize,
@@ -66,6 +79,7 @@ pub(crate) fn here(desk: &Desk) -> Option<Here> {
         Asked::Answer => (question, answer),
     };
     let (count, changed) = (desk.stops().len(), desk.is_changed());
+    let [subtitle, question, text] = [subtitle, question, text].map(|text| html(&text));
     Some(Here { number, count, slide, subtitle, question, text, asks, changed })
 }
 

@@ -3,12 +3,12 @@
 use std::cell::RefCell;
 use std::collections::HashMap;
 
-use common::Line;
 use common::Value;
 use show::Letters;
 use show::mathml;
 use show::plain;
 use show::translated;
+use telling::Line;
 
 thread_local! {
     /// By their text, and whether its own letter is a vector's.

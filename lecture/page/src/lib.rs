@@ -114,10 +114,11 @@ impl Page {
             }
             Ask::Grab { at, reach } => json(&self.grab(at, reach)),
             Ask::Rows { layer, size, first, count } => self.rows(layer, size, first, count),
-            Ask::Show { of, size, drawn, text } => {
+            Ask::Show { of, size, drawn } => {
                 let desk = self.desk_of(of.as_deref())?;
-                show(desk, self::size(size)?, pictures(drawn, bytes)?, text)
+                Ok(show(desk, self::size(size)?, pictures(drawn, bytes)?))
             }
+            Ask::Marks { size, text } => Ok(marks(&self.desk, self::size(size)?, text)),
             Ask::Below { size, text, altered } => {
                 let (size, desk) = (self::size(size)?, &self.desk);
                 let mut picture =
@@ -125,7 +126,7 @@ impl Page {
                 let mut canvas = Canvas::new(&mut picture);
                 let area = canvas.area();
                 show::draw_below(desk, &mut canvas, area, text.clamp(1.0, area.height), altered);
-                Ok(rgba(&picture))
+                Ok(show::rgba(&picture))
             }
         }
     }
@@ -237,33 +238,29 @@ fn pictures(drawn: (usize, usize), rgb: &[u8]) -> Result<Vec<RgbImage>, String> 
         .ok_or_else(|| text!("these are not the bytes of a picture of {drawn}", drawn))
 }
 
-/// What a desk shows, with what lies over it.
-fn show(
-    desk: &Desk, size: Size, pictures: Vec<RgbImage>, text_size: f32,
-) -> Result<Vec<u8>, String> {
+/// What a desk shows.
+fn show(desk: &Desk, size: Size, pictures: Vec<RgbImage>) -> Vec<u8> {
     let (width, height) = (size.width() as u32, size.height() as u32);
-    let area = Area::new(0.0, 0.0, width as f32, height as f32);
     let mut picture = show::compared(desk, pictures);
     if picture.dimensions() != (width, height) {
         let mut larger = RgbImage::new(width, height);
+        let area = Area::new(0.0, 0.0, width as f32, height as f32);
         Canvas::new(&mut larger).picture(&picture, area);
         picture = larger;
     }
     desk.picture_now().draw_over(&mut picture);
-    if !desk.is_gliding() {
-        let mut canvas = Canvas::new(&mut picture);
-        show::draw_marks(desk, &mut canvas, area, text_size.clamp(1.0, area.height.max(1.0)));
-    }
-    Ok(rgba(&picture))
+    show::rgba(&picture)
 }
 
-/// The bytes of a picture as a browser takes them.
-fn rgba(picture: &RgbImage) -> Vec<u8> {
-    let mut rgba = vec![255; picture.len() / 3 * 4];
-    for (to, from) in rgba.chunks_exact_mut(4).zip(picture.chunks_exact(3)) {
-        to[..3].copy_from_slice(from);
-    }
-    rgba
+/// What lies over a desk's picture; while that glides, nothing.
+fn marks(desk: &Desk, size: Size, text_size: f32) -> Vec<u8> {
+    show::on_nothing(size.width() as u32, size.height() as u32, &mut |picture| {
+        if !desk.is_gliding() {
+            let mut canvas = Canvas::new(picture);
+            let area = canvas.area();
+            show::draw_marks(desk, &mut canvas, area, text_size.clamp(1.0, area.height));
+        }
+    })
 }
 
 fn do_on(desk: &mut Desk, act: Act) -> Result<Done, String> {
@@ -318,6 +315,7 @@ fn state(desk: &Desk, spoken: Language) -> State {
         step: desk.step(),
         name: desk.program().name,
         size: (size.width(), size.height()),
+        sized: size != desk.program().size,
         groups: groups.collect(),
         address: desk.address(spoken),
         pin: desk.pinned().map(|pixel| (pixel.col, pixel.row)),

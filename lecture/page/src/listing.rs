@@ -1,6 +1,5 @@
 //! The code of the step, as a browser is told it.
 
-use common::LineName;
 use show::Change;
 use show::CodeKind;
 use show::CodeLine;
@@ -8,6 +7,7 @@ use show::CodePart;
 use show::Desk;
 use show::rounded;
 use show::translated;
+use telling::LineName;
 
 use crate::formula;
 use crate::protocol::Listed;
@@ -39,7 +39,7 @@ fn listed(line: CodeLine, desk: &Desk) -> Listed {
     }
     pieces.push(("", line.text[at..].to_owned()));
     pieces.retain(|(_, text)| !text.is_empty());
-    let noted = |(told, name): (common::Line, Option<LineName>)| Noted {
+    let noted = |(told, name): (telling::Line, Option<LineName>)| Noted {
         math: formula::told(&told),
         shown: translated(told.equation),
         symbol: told.symbol(),

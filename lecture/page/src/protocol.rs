@@ -1,12 +1,12 @@
 //! What a browser may ask, and what it is answered: as JSON.
 
-use common::LineName;
 use serde::Deserialize;
 use serde::Serialize;
 use show::Act;
 use show::Handle;
 use show::Key;
 use show::Language;
+use telling::LineName;
 
 use crate::class::Here;
 use crate::class::Told;
@@ -39,8 +39,11 @@ pub(crate) enum Ask {
     /// Rows of a picture, three bytes a pixel.
     Rows { layer: Layer, size: (usize, usize), first: usize, count: usize },
     /// The pictures whose bytes follow the question, `drawn` pixels large, as one that is as large as
-    /// `size`, with what lies over it in letters `text` high: four bytes a pixel.
-    Show { of: Option<String>, size: (usize, usize), drawn: (usize, usize), text: f32 },
+    /// `size`: four bytes a pixel.
+    Show { of: Option<String>, size: (usize, usize), drawn: (usize, usize) },
+    /// What lies over a picture as large as `size`, in letters `text` high, on nothing: four bytes a
+    /// pixel.
+    Marks { size: (usize, usize), text: f32 },
     /// What stands below the picture of a told line, as large as `size`, in letters `text` high, with what
     /// is answered otherwise or without: four bytes a pixel.
     Below { size: (usize, usize), text: f32, altered: bool },
@@ -162,6 +165,8 @@ pub(crate) struct State {
     pub(crate) step: usize,
     pub(crate) name: &'static str,
     pub(crate) size: (usize, usize),
+    /// Whether that was asked for.
+    pub(crate) sized: bool,
     pub(crate) groups: Vec<Group>,
     pub(crate) address: String,
     pub(crate) pin: Option<(usize, usize)>,

@@ -1,10 +1,5 @@
 //! How a pixel comes by its colour, as a browser is told it.
 
-use common::Explanation;
-use common::LineName;
-use common::Outcome;
-use common::Place;
-use common::Scope;
 use common::Value;
 use show::Desk;
 use show::encode;
@@ -13,6 +8,11 @@ use show::named_lines;
 use show::rounded;
 use show::symbols;
 use show::translated;
+use telling::Explanation;
+use telling::LineName;
+use telling::Outcome;
+use telling::Place;
+use telling::Scope;
 
 use crate::formula;
 use crate::protocol::Explained;
@@ -31,8 +31,8 @@ pub(crate) fn explained(desk: &Desk) -> Option<Explained> {
 /// `around` is what the scope is in.
 fn parts(scope: &Scope, around: &Scope, desk: &Desk) -> Vec<Part> {
     let mut named = named_lines(scope, around).into_iter();
-    let part = |part: &common::Part| match part {
-        common::Part::Line(line) => {
+    let part = |part: &telling::Part| match part {
+        telling::Part::Line(line) => {
             let ink = ink_of(line).map(|ink| {
                 let [r, g, b] = ink.rgb;
                 format!("#{r:02x}{g:02x}{b:02x}")
@@ -51,7 +51,7 @@ fn parts(scope: &Scope, around: &Scope, desk: &Desk) -> Vec<Part> {
                 name: name.map(|LineName { equation, of }| (equation, of)),
             }
         }
-        common::Part::Scope(inner) => {
+        telling::Part::Scope(inner) => {
             let outcome = match inner.outcome {
                 Outcome::Told => String::new(),
                 Outcome::Missed(why, condition) => {

@@ -5,12 +5,12 @@ use std::panic::Location;
 
 use super::parsed::Source;
 use crate::named_lines;
-use common::Explanation;
-use common::Line;
-use common::LineName;
-use common::Outcome;
-use common::Part;
-use common::Scope;
+use telling::Explanation;
+use telling::Line;
+use telling::LineName;
+use telling::Outcome;
+use telling::Part;
+use telling::Scope;
 
 /// What is told of a pixel; of things that a loop tells of, such as lights, only of the one that is
 /// looked at.

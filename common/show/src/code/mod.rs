@@ -12,9 +12,9 @@ mod walk;
 use std::cell::OnceCell;
 use std::ops::Range;
 
-use common::Explanation;
-use common::LineName;
 use common::Projection;
+use telling::Explanation;
+use telling::LineName;
 
 use fold::Line;
 use fold::folded;
@@ -79,7 +79,7 @@ pub struct CodeLine {
     /// Its bytes that are not plain, and what they are.
     pub kinds: Vec<(Range<usize>, Kind)>,
     /// What is told where it runs, with what that is called.
-    pub told: Vec<(common::Line, Option<LineName>)>,
+    pub told: Vec<(telling::Line, Option<LineName>)>,
     /// What it is beside the step before.
     pub change: Change,
     /// It did not run for the pixel, which is certain.

@@ -7,7 +7,7 @@ use crate::Language;
 use crate::SettingError;
 use crate::Size;
 use crate::control::Refused;
-use common::LineName;
+use telling::LineName;
 
 /// Something that is done in a class, however it was asked for.
 ///

@@ -16,16 +16,16 @@ use crate::named_lines;
 use crate::text;
 use crate::translated;
 use crate::typed::typed;
-use common::Answer;
 use common::Camera;
-use common::Explanation;
-use common::Kept;
-use common::LineName;
-use common::Part;
 use common::Pixel;
-use common::Probe;
-use common::Scope;
-use common::Step;
+use telling::Answer;
+use telling::AnyStep;
+use telling::Explanation;
+use telling::Kept;
+use telling::LineName;
+use telling::Part;
+use telling::Probe;
+use telling::Scope;
 
 /// How many columns and rows of pixels are asked for which lines there are.
 const SURVEY: (usize, usize) = (24, 14);
@@ -39,7 +39,7 @@ fn unquoted(typed: &str) -> &str {
 }
 
 /// Whether `step` tells the line somewhere.
-fn told_at(step: &dyn Step, camera: &dyn Camera, line: &LineName) -> bool {
+fn told_at(step: &dyn AnyStep, camera: &dyn Camera, line: &LineName) -> bool {
     let (width, height) = SURVEY;
     let probe = Probe::new(Some(line), &[]);
     (0..width * height).any(|place| {

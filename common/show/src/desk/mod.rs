@@ -27,11 +27,11 @@ use crate::Size;
 use crate::control;
 use crate::control::Control;
 use common::Camera;
-use common::Explanation;
-use common::LineName;
 use common::Pixel;
-use common::Step;
 use common::View;
+use telling::AnyStep;
+use telling::Explanation;
+use telling::LineName;
 
 pub use act::Act;
 pub use act::Effect;
@@ -117,7 +117,7 @@ pub struct Wanted<'a> {
 
 impl Wanted<'_> {
     /// What makes its pixels: the step, or the step as it is looked at.
-    pub fn step(&self) -> &dyn Step {
+    pub fn step(&self) -> &dyn AnyStep {
         if self.looked.look.is_plain() { self.setup.step() } else { &self.looked }
     }
 

@@ -11,7 +11,7 @@ use crate::laws;
 use crate::math::symbol;
 use crate::plain;
 use crate::translated;
-use common::Line;
+use telling::Line;
 
 /// A step as a program, or one of its figures.
 #[derive(Clone)]

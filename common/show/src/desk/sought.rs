@@ -8,8 +8,8 @@ use crate::CodePart;
 use crate::Sought;
 use crate::text;
 use crate::translated;
-use common::Explanation;
-use common::LineName;
+use telling::Explanation;
+use telling::LineName;
 
 impl Desk {
     /// The code of the step as it runs for the pinned pixel, or all of it.

@@ -6,13 +6,13 @@ use crate::control::Control;
 use crate::texts;
 use crate::translated;
 use crate::typed::typed;
-use common::Answer;
-use common::Explanation;
 use common::Kind;
-use common::LineName;
-use common::Place;
 use common::Value;
 use common::Vec3;
+use telling::Answer;
+use telling::Explanation;
+use telling::LineName;
+use telling::Place;
 
 /// What the names of its controls begin with.
 pub(crate) const WHAT_IF: &str = "what-if ";

@@ -8,7 +8,7 @@ use crate::Look;
 use crate::Map;
 use crate::text;
 use crate::translated;
-use common::LineName;
+use telling::LineName;
 
 impl Desk {
     /// What there is to be said of all that is not as the step has it.

@@ -75,7 +75,7 @@ pub(super) fn code(desk: &Desk, coloured: bool) -> String {
     printed
 }
 
-fn note(told: &common::Line, paint: &impl Fn(&str, &str) -> String) -> String {
+fn note(told: &telling::Line, paint: &impl Fn(&str, &str) -> String) -> String {
     format!(
         "{} {}",
         paint(FAINT, translated(told.equation)),

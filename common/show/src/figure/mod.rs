@@ -22,14 +22,15 @@ use common::Color;
 use common::Controls;
 use common::Image;
 use common::Kind;
+use common::Listener;
 use common::Pixel;
-use common::Probe;
 use common::Ray;
-use common::Recorder;
 use common::Step;
+use common::Tell;
 use common::Value;
 use common::Vec3;
 use common::View;
+use telling::Recorder;
 
 pub use sketch::Axes;
 pub use sketch::Sketch;
@@ -150,7 +151,7 @@ macro_rules! figure_main {
 impl Program {
     /// The figure that `figure` makes, called as the last part of `path` is.
     #[doc(hidden)]
-    pub fn figure<L: Step + Clone + 'static>(
+    pub fn figure<L: Tell + Clone + 'static>(
         path: &'static str, concept: &'static str, figure: fn() -> Figure<L>,
     ) -> Self {
         let name = path.rsplit("::").next().unwrap_or(path);
@@ -159,7 +160,7 @@ impl Program {
     }
 }
 
-impl<L: Step + Clone> Figure<L> {
+impl<L: Tell + Clone> Figure<L> {
     /// A figure of `lesson` with `columns` panels in a row, each of the shape of the lecture's
     /// pictures.
     pub fn new(lesson: L, columns: usize) -> Self {
@@ -298,7 +299,7 @@ fn pixels(area: Area) -> [usize; 4] {
     [left, top, right - left, bottom - top]
 }
 
-impl<L: Step + Clone> Step for Figure<L> {
+impl<L: Tell + Clone> Step for Figure<L> {
     fn view(&self) -> View {
         self.view.clone()
     }
@@ -332,28 +333,17 @@ impl<L: Step + Clone> Step for Figure<L> {
             }
         }
     }
-
-    /// What the lesson tells of the pixel that is there in the panel.
-    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color {
-        self.told(camera, pixel, |lesson, camera, pixel| lesson.tell(camera, pixel, say))
-    }
-
-    fn probe(&self, camera: &dyn Camera, pixel: Pixel, say: &Probe<'_>) -> Color {
-        self.told(camera, pixel, |lesson, camera, pixel| lesson.probe(camera, pixel, say))
-    }
 }
 
-impl<L: Step + Clone> Figure<L> {
-    /// Has the lesson in the panel at `pixel` tell of it; the pixel's colour.
-    fn told(
-        &self, camera: &dyn Camera, pixel: Pixel, tell: impl Fn(&L, &dyn Camera, Pixel) -> Color,
-    ) -> Color {
+/// What the lesson tells of the pixel that is there in the panel.
+impl<L: Tell + Clone> Tell for Figure<L> {
+    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &impl Listener) -> Color {
         let Pixel { col, row, width, height } = pixel;
         for (_, area, camera, lesson) in self.panels(camera, width, height) {
             let [left, top, width, height] = pixels(area);
             let (col, row) = (col.wrapping_sub(left), row.wrapping_sub(top));
             if col < width && row < height {
-                tell(&lesson, &camera, Pixel { col, row, width, height });
+                lesson.tell(&camera, Pixel { col, row, width, height }, say);
             }
         }
         let mut colors = vec![Color::ZERO; width];
@@ -362,7 +352,7 @@ impl<L: Step + Clone> Figure<L> {
     }
 }
 
-impl<L: Step + Clone> Shown for Figure<L> {
+impl<L: Tell + Clone> Shown for Figure<L> {
     fn draw_over(&self, camera: &dyn Camera, canvas: &mut Canvas<'_>) {
         let Area { width, height, .. } = canvas.area();
         let size = self.text_size(width);

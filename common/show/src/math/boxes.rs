@@ -3,6 +3,7 @@
 use crate::Area;
 use crate::Canvas;
 use crate::Ink;
+use canvas::MathFont;
 
 /// A set equation: how far it reaches from the left end of its baseline, and what is drawn, in pixels.
 #[derive(Clone, Debug, Default)]
@@ -48,6 +49,32 @@ impl Boxed {
             }
         }
         self.draw(canvas, (x, y), ink, true);
+    }
+
+    /// The size of its smallest letters.
+    pub(crate) fn smallest(&self) -> f32 {
+        let sizes = self.pieces.iter().filter_map(|(piece, _)| match piece {
+            Piece::Letter { size, .. } => Some(*size),
+            Piece::Line { .. } => None,
+        });
+        sizes.fold(f32::INFINITY, f32::min)
+    }
+
+    /// Whether nothing is drawn between two corners, as seen from the left end of its baseline.
+    pub(super) fn is_free(&self, (left, top): (f32, f32), (right, bottom): (f32, f32)) -> bool {
+        let is_in = |(x, y): (f32, f32), (to_x, to_y): (f32, f32)| {
+            x < right && left < to_x && y < bottom && top < to_y
+        };
+        !self.pieces.iter().any(|(piece, _)| match *piece {
+            Piece::Letter { at: (x, y), size, letter } => {
+                let (above, below) = MathFont::reach(size, letter);
+                is_in((x, y - above), (x + MathFont::advance(size, letter), y + below))
+            }
+            Piece::Line { from, to, width } => {
+                let low = (from.0.min(to.0) - width, from.1.min(to.1) - width);
+                is_in(low, (from.0.max(to.0) + width, from.1.max(to.1) + width))
+            }
+        })
     }
 
     /// How high it is with all that hangs from it.

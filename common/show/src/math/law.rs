@@ -12,9 +12,9 @@ use super::symbols;
 use crate::Ink;
 use crate::rounded;
 use crate::translated;
-use common::Explanation;
-use common::Line;
 use common::Value;
+use telling::Explanation;
+use telling::Line;
 
 /// The equations of a step, with what its pinned pixel tells of their symbols.
 pub struct Law {
@@ -38,6 +38,9 @@ pub fn law_name(key: &str, is_told: impl Fn(&str) -> bool) -> Option<&str> {
 
 /// How small an equation gets before it is cut, in parts of its size.
 const LEAST: f32 = 0.62;
+
+/// In how many steps it gets there.
+const SIZES: usize = 12;
 
 /// The equations that are a step's law: what stands between the first $$ of its handout.
 pub fn laws(handout: &str) -> Vec<&str> {
@@ -113,33 +116,32 @@ impl Law {
     /// each + where one is too wide, and smaller where even that is.
     pub fn set(&self, size: f32, width: f32, height: f32) -> Boxed {
         let numbers = |key: &str| self.numbers(key);
-        let set = |size| {
-            let style = Style { size, large: true, within: false, numbers: Some(&numbers) };
-            self.stacked(style, width)
+        let style = |size| Style { size, large: true, within: false, numbers: Some(&numbers) };
+        let sizes = (0..=SIZES).map(|by| (1.0 - (1.0 - LEAST) * by as f32 / SIZES as f32) * size);
+        // What is a little smaller need not be broken.
+        let whole = |size: &f32| {
+            let widths = self.equations.iter().map(|equation| style(*size).set(equation).width);
+            widths.fold(0.0, f32::max) <= width
         };
-        // What is smaller may break at other places, and then fit.
-        let mut now = size;
-        let mut fits = set(now);
-        for _ in 0..4 {
-            let part = (width / fits.width).min(height / fits.height());
-            if part < 1.0 && now > LEAST * size {
-                now = (0.99 * part * now).max(LEAST * size);
-                fits = set(now);
-            }
-        }
-        fits
+        let unbroken = sizes.clone().take(SIZES / 2).find(whole);
+        let mut sets = sizes.skip_while(|size| unbroken.is_some_and(|unbroken| *size > unbroken));
+        let fits = sets.find_map(|size| {
+            let set = self.stacked(style(size), width);
+            (set.width <= width && set.height() <= height).then_some(set)
+        });
+        fits.unwrap_or_else(|| self.stacked(style(LEAST * size), width))
     }
 
     fn stacked(&self, style: Style<'_>, width: f32) -> Boxed {
         let (mut set, gap) = (Boxed::default(), 0.28 * style.size);
         let (mut left, mut above, mut baseline) = (0.0, 0.0, 0.0);
-        // Where the first line ends.
-        let mut first = (0.0, 0.0);
+        // How far down the first line stands.
+        let mut first = 0.0;
         for equation in &self.equations {
             let whole = style.set(equation);
             let lines = match whole.width <= width {
                 true => vec![whole],
-                false => terms(equation).iter().map(|term| style.set(term)).collect(),
+                false => broken(equation, style, width),
             };
             for (place, line) in lines.into_iter().enumerate() {
                 let beside = left + 1.2 * style.size;
@@ -153,28 +155,61 @@ impl Law {
                 let drop = if set.width == 0.0 { line.above } else { set.hang + gap + line.above };
                 (above, baseline, left) = (line.above, drop, indent + line.width);
                 set.put(line, (indent, drop));
-                first = if first.0 == 0.0 { (left, drop) } else { first };
+                first = if first == 0.0 { drop } else { first };
             }
         }
         if let Some((place, light)) = self.light {
             let words = plain(&format!("i = {place}: {}", translated(light)), Letters::Scalar);
             let line = Boxed::inline(&words, 0.7 * style.size);
-            // In the corner, if there is room beside the first line.
-            let corner = (width - line.width, first.1);
+            // In a corner, if there is room beside what stands there.
+            let right = width - line.width;
+            let corners = [(right, first), (right, set.hang)];
+            let is_free = |at: &(f32, f32)| {
+                let margin = 0.5 * style.size;
+                set.is_free((at.0 - margin, at.1 - line.above), (width, at.1 + line.below))
+            };
             let below = (0.0, set.hang + gap + line.above);
-            set.put(line, if first.0 + style.size < corner.0 { corner } else { below });
+            let place = corners.into_iter().find(is_free).unwrap_or(below);
+            set.put(line, place);
         }
         set
     }
 }
 
-/// An equation in parts, a new one from each + on that is not within round brackets: where there is no
-/// room for all of it they stand below each other.
+/// The lines of an equation that is too wide: as many terms in each as fit, but no second =.
+fn broken(equation: &Math, style: Style<'_>, width: f32) -> Vec<Boxed> {
+    let mut lines: Vec<(Vec<Math>, Boxed)> = Vec::new();
+    for term in terms(equation) {
+        let parts = term.parts();
+        if let Some((line, set)) = lines.last_mut()
+            && parts.first() != Some(&Math::Sign('='))
+        {
+            let longer = [&line[..], parts].concat();
+            let with = style.row(&longer);
+            if with.width <= width - style.size {
+                (*line, *set) = (longer, with);
+                continue;
+            }
+        }
+        lines.push((parts.to_vec(), style.row(parts)));
+    }
+    lines.into_iter().map(|(_, set)| set).collect()
+}
+
+/// An equation in parts, a new one from each + on that is not within round brackets, from each ⇔,
+/// and from each = behind another or a matrix: where there is no room for all of it they stand below each other.
 pub fn terms(equation: &Math) -> Vec<Math> {
     let mut terms: Vec<Vec<Math>> = vec![Vec::new()];
-    let mut add = |part: &Math| match terms.last_mut() {
-        Some(term) if *part != Math::Sign('+') || term.is_empty() => term.push(part.clone()),
-        _ => terms.push(vec![part.clone()]),
+    let mut ends = false;
+    let mut add = |part: &Math| {
+        let equals = *part == Math::Sign('=');
+        let follows = *part == Math::Sign('⇔');
+        let begins = *part == Math::Sign('+') || follows || equals && ends;
+        ends = !follows && (ends || equals || matches!(part, Math::Matrix(_)));
+        match terms.last_mut() {
+            Some(term) if !begins || term.is_empty() => term.push(part.clone()),
+            _ => terms.push(vec![part.clone()]),
+        }
     };
     for part in equation.parts() {
         match part {

@@ -1,6 +1,7 @@
 //! An equation as MathML, for browsers.
 
 use super::Math;
+use super::setting::ink;
 
 /// What stands under what has this [`key`](Math::key), within a fraction or not; nothing under most.
 type Place<'a> = &'a mut dyn FnMut(&str, bool) -> Option<String>;
@@ -11,7 +12,8 @@ pub fn mathml(math: &Math, display: bool, place: Place<'_>) -> String {
     format!("<math{display}>{}</math>", row(math.parts(), place))
 }
 
-fn escaped(text: &str) -> String {
+/// `text` as HTML has it.
+pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
@@ -53,11 +55,11 @@ fn row(parts: &[Math], place: Place<'_>) -> String {
 fn part(math: &Math, place: Place<'_>) -> String {
     match math {
         Math::Row(parts) => format!("<mrow>{}</mrow>", row(parts, place)),
-        Math::Symbol(letter) => format!("<mi>{letter}</mi>"),
+        Math::Symbol(letter) => format!("<mi{}>{letter}</mi>", inked(math)),
         Math::Word(word) if word.chars().all(|digit| digit.is_ascii_digit() || digit == '.') => {
             format!("<mn>{word}</mn>")
         }
-        Math::Word(word) => format!("<mi>{}</mi>", escaped(word)),
+        Math::Word(word) => format!("<mi{}>{}</mi>", inked(math), escaped(word)),
         // What it belongs to may stand on another line.
         Math::Sign(sign @ ('[' | ']')) => format!("<mo stretchy=\"false\">{sign}</mo>"),
         // Also where a line begins with it.
@@ -76,15 +78,19 @@ fn part(math: &Math, place: Place<'_>) -> String {
             let (below, above) = (script(lower), script(upper));
             let name = match (&**base, lower, upper) {
                 (Math::Sign('∑'), Some(_), None) => "munder",
+                (Math::Sign('∑'), Some(_), Some(_)) => "munderover",
                 (_, Some(_), None) => "msub",
                 (_, None, _) => "msup",
                 (_, Some(_), Some(_)) => "msubsup",
             };
+            let own = inked(math);
             let base = match **base {
                 Math::Fence(..) => one(base, place),
+                // Its base alone may be called something else.
+                Math::Symbol(letter) if !own.is_empty() => format!("<mi>{letter}</mi>"),
                 _ => one(base, &mut |_, _| None),
             };
-            format!("<{name}>{base}{below}{above}</{name}>")
+            format!("<{name}{own}>{base}{below}{above}</{name}>")
         }
         Math::Fence(open, inside, close) => {
             let high = *open == '[' || inside.is_high();
@@ -106,6 +112,12 @@ fn part(math: &Math, place: Place<'_>) -> String {
             format!("<mrow><mo>[</mo><mtable>{table}</mtable><mo>]</mo></mrow>")
         }
     }
+}
+
+/// The colour of a symbol, as a browser's style makes it fit the ground.
+fn inked(math: &Math) -> String {
+    let ink = ink(&math.key()).map(|ink| ink.rgb);
+    ink.map_or(String::new(), |[r, g, b]| format!(" style=\"--ink:#{r:02x}{g:02x}{b:02x}\""))
 }
 
 /// As one element.

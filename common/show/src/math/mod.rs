@@ -19,6 +19,7 @@ pub use law::laws;
 pub(crate) use law::symbol;
 pub use law::terms;
 pub use law::typeset;
+pub use markup::escaped;
 pub use markup::mathml;
 pub use read::Letters;
 pub use read::latex;

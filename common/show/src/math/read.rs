@@ -25,7 +25,7 @@ const CORNERS: [&str; 4] = ["a", "b", "light", "luz"];
 const EITHER: [&str; 2] = ["p", "v"];
 
 /// What LaTeX calls signs and letters.
-const NAMES: [(&str, char); 19] = [
+const NAMES: [(&str, char); 20] = [
     ("alpha", 'α'),
     ("beta", 'β'),
     ("gamma", 'γ'),
@@ -41,6 +41,7 @@ const NAMES: [(&str, char); 19] = [
     ("le", '≤'),
     ("infty", '∞'),
     ("ast", '∗'),
+    ("Leftrightarrow", '⇔'),
     ("lbrace", '{'),
     ("rbrace", '}'),
     ("lVert", '‖'),

@@ -26,8 +26,8 @@ pub(super) struct Style<'a> {
 const AXIS: f32 = 0.258;
 const BAR: f32 = 0.06;
 const SCRIPT: f32 = 0.72;
-const NUMBER: f32 = 0.64;
-const LINE: f32 = 0.7;
+const NUMBER: f32 = 0.82;
+const LINE: f32 = 0.77;
 
 /// The colour of a number that hangs below what has none.
 const NUMBERS: Ink = Ink::new(255, 212, 121);
@@ -42,13 +42,22 @@ pub(super) fn ink(key: &str) -> Option<Ink> {
         code if code < 0x1D400 && letter != 'v' && letter != 'p' => Some(letter),
         _ => None,
     };
-    let name: Option<String> = key.chars().map(told).collect();
+    // An index is slanted where its symbol is not.
+    let index = |letter: char| {
+        let place = u32::from(letter).checked_sub(u32::from('𝑎')).filter(|place| *place < 26)?;
+        char::from_u32(place + u32::from('a'))
+    };
+    let base = key.find('_').unwrap_or(key.len());
+    let letters = key
+        .char_indices()
+        .map(|(at, letter)| told(letter).or_else(|| index(letter).filter(|_| at > base)));
+    let name: Option<String> = letters.collect();
     symbol_ink(&name?).filter(|ink| *ink != Ink::WHITE)
 }
 
 /// What a sign does between two things.
 fn is_relation(sign: char) -> bool {
-    matches!(sign, '=' | '<' | '>' | '≤' | '≥' | ':')
+    matches!(sign, '=' | '<' | '>' | '≤' | '≥' | ':' | '⇔')
 }
 
 impl<'a> Style<'a> {
@@ -79,8 +88,12 @@ impl<'a> Style<'a> {
             Math::Fraction(above, below) => self.fraction(above, below),
             Math::Root(inside) => self.root(inside),
             Math::Scripts(base, lower, upper) => {
-                let set = self.scripts(base, lower.as_deref(), upper.as_deref());
-                set.inked(ink(&math.key()))
+                let mut set = self.scripts(base, lower.as_deref(), upper.as_deref());
+                // Its base alone may be called something else.
+                if let Some(ink) = ink(&math.key()) {
+                    set.pieces.iter_mut().for_each(|(_, own)| *own = Some(ink));
+                }
+                set
             }
             Math::Fence(open, inside, close) => self.fence(*open, self.set(inside), *close),
             Math::Matrix(rows) => self.matrix(rows),
@@ -109,6 +122,10 @@ impl<'a> Style<'a> {
         let Math::Sign(sign) = parts[place] else {
             let apart = match parts[place] {
                 Math::Word(ref word) if word.starts_with(char::is_alphabetic) => 0.17,
+                // Of cos θ.
+                Math::Symbol(_) if matches!(before, Some(Math::Word(word)) if word.starts_with(char::is_alphabetic)) => {
+                    0.17
+                }
                 Math::Fraction(..) => 0.06,
                 _ => 0.0,
             };
@@ -155,14 +172,14 @@ impl<'a> Style<'a> {
             if !lines.is_empty() {
                 let one = count == 1 && !matches!(parts[place], Math::Fraction(..));
                 let ink = ink(&Math::Row(parts[place..place + count].to_vec()).key());
-                hanging.push((left, own, widest, lines, one, ink));
+                let floor = whole.below.max(0.22 * self.size);
+                hanging.push((left, own, widest, lines, one, ink, floor));
             }
             set.put(whole, (left, 0.0));
             set.width = set.width.max(left + (width + own) / 2.0) + after;
             place += count;
         }
-        let floor = set.below.max(0.22 * self.size);
-        for (left, own, widest, lines, one, ink) in hanging {
+        for (left, own, widest, lines, one, ink, floor) in hanging {
             let mut top = floor + 0.12 * self.size;
             if !one {
                 // What is around a whole term says that the number is all of it.
@@ -212,7 +229,9 @@ impl<'a> Style<'a> {
     }
 
     fn fraction(self, above: &Math, below: &Math) -> Boxed {
-        let part = if self.large { Self { within: true, ..self } } else { self.scaled(0.8) };
+        // One within another is smaller.
+        let alone = self.large && !self.within;
+        let part = if alone { Self { within: true, ..self } } else { self.scaled(0.8) };
         let (above, below) = (part.row(above.parts()), part.row(below.parts()));
         let (axis, bar, gap) = (AXIS * self.size, BAR * self.size, 0.14 * part.size);
         let width = above.width.max(below.width) + 0.16 * self.size;
@@ -256,13 +275,23 @@ impl<'a> Style<'a> {
             (set.below - 0.02 * self.size).max(0.2 * self.size),
         );
         let right = set.width + 0.03 * self.size;
-        if let (Math::Sign('∑'), Some(lower), true) = (base, lower, self.large) {
-            // The sum's index is below it.
-            let lower = small.set(lower);
-            let (left, at) =
-                ((set.width - lower.width) / 2.0, set.below + 0.08 * self.size + lower.above);
-            set.put(lower, (left, at));
-            return set;
+        if *base == Math::Sign('∑') && self.large {
+            // The sum's index is below it, and its end above.
+            let (lower, upper) = (lower.map(|it| small.set(it)), upper.map(|it| small.set(it)));
+            let widest = [&lower, &upper].map(|it| it.as_ref().map_or(0.0, |it| it.width));
+            let width = widest.into_iter().fold(set.width, f32::max);
+            let (gap, above, below) = (0.08 * self.size, set.above, set.below);
+            let mut whole = Boxed::default();
+            whole.put(set.clone(), ((width - set.width) / 2.0, 0.0));
+            if let Some(lower) = lower {
+                let at = ((width - lower.width) / 2.0, below + gap + lower.above);
+                whole.put(lower, at);
+            }
+            if let Some(upper) = upper {
+                let at = ((width - upper.width) / 2.0, -above - gap - upper.below);
+                whole.put(upper, at);
+            }
+            return whole;
         }
         for (script, shift) in [(lower, down), (upper, -up)] {
             if let Some(script) = script {

@@ -2,9 +2,9 @@
 
 use std::iter;
 
-use common::Explanation;
-use common::Line;
-use common::Scope;
+use telling::Explanation;
+use telling::Line;
+use telling::Scope;
 
 /// What is told of one thing: each symbol once, with what was told of it last.
 pub struct Symbols<'a> {

@@ -12,9 +12,9 @@ use crate::Ink;
 use crate::text;
 use crate::ticks;
 use common::Camera;
-use common::Kept;
 use common::Pixel;
-use common::Step;
+use telling::AnyStep;
+use telling::Kept;
 
 /// A quantity along the row of a pixel, to be drawn below the picture: from its left edge to its right
 /// one, so that what is told at a place stands below that.
@@ -56,7 +56,7 @@ fn numbers(kept: Kept) -> Vec<f32> {
 
 impl Look {
     /// The quantity along the row of `pixel`, if one is shown.
-    pub fn curve(&self, pixel: Pixel, step: &dyn Step, camera: &dyn Camera) -> Option<Curve> {
+    pub fn curve(&self, pixel: Pixel, step: &dyn AnyStep, camera: &dyn Camera) -> Option<Curve> {
         let Quantity { line, map, .. } = self.quantity.as_ref()?;
         let places = pixel.width.min(PLACES);
         let at = |place| Pixel { col: (2 * place + 1) * pixel.width / (2 * places), ..pixel };

@@ -11,12 +11,13 @@ use crate::Font;
 use crate::Ink;
 use crate::Letters;
 use crate::plain;
+use crate::prose;
 use crate::text;
 use crate::translated;
 use canvas::STRIPES;
 use common::Color;
-use common::Kept;
 use common::Vec3;
+use telling::Kept;
 
 /// What the colours of a quantity stand for, to be drawn beside its picture.
 pub struct Legend<'a> {
@@ -88,14 +89,7 @@ impl Legend<'_> {
         canvas.text_within((top.0 + wide, top.1), Anchor::TopLeft, em, FAINT, unit, room - wide);
         wide += Font::width(em, unit) + em;
         let after = (top.0 + wide, top.1);
-        canvas.text_within(
-            after,
-            Anchor::TopLeft,
-            em,
-            ALTERED,
-            &self.altered,
-            (room - wide).max(0.0),
-        );
+        prose::draw_within(canvas, after, em, ALTERED, &self.altered, (room - wide).max(0.0));
         canvas.text(right, Anchor::TopRight, em, FAINT, not_told);
         draw_hatch(
             canvas,

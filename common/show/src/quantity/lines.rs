@@ -3,10 +3,10 @@
 use crate::Refusal;
 use crate::text;
 use crate::translated;
-use common::Explanation;
-use common::Line;
-use common::LineName;
-use common::Scope;
+use telling::Explanation;
+use telling::Line;
+use telling::LineName;
+use telling::Scope;
 
 /// The lines that a step tells, each once, in the order in which they were first told.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -2,8 +2,8 @@
 
 use super::Scale;
 use canvas::Palette;
-use common::Kept;
 use common::Vec3;
+use telling::Kept;
 
 /// Which colour stands for which value of a line.
 #[derive(Clone, Debug, PartialEq)]

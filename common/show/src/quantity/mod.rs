@@ -9,21 +9,22 @@ mod scale;
 use canvas::Palette;
 use canvas::Told;
 use canvas::draw_told;
-use common::Answer;
 use common::Camera;
 use common::Color;
 use common::Controls;
-use common::Explanation;
 use common::Image;
-use common::Kept;
-use common::LineName;
-use common::Outcome;
 use common::Pixel;
-use common::Probe;
-use common::Recorder;
 use common::Step;
 use common::Vec3;
 use common::View;
+use telling::Answer;
+use telling::AnyStep;
+use telling::Explanation;
+use telling::Kept;
+use telling::LineName;
+use telling::Outcome;
+use telling::Probe;
+use telling::Recorder;
 
 pub use curve::Curve;
 pub use legend::Legend;
@@ -66,7 +67,7 @@ impl Quantity {
 /// A step as it is looked at: its picture is that of the look.
 pub struct Looked<'a> {
     /// The step.
-    pub step: &'a dyn Step,
+    pub step: &'a dyn AnyStep,
     /// The look.
     pub look: &'a Look,
     /// From where points are measured.
@@ -96,7 +97,7 @@ impl Look {
 
     /// What is told of `line` at `pixels`.
     fn told(
-        &self, line: &LineName, step: &dyn Step, camera: &dyn Camera,
+        &self, line: &LineName, step: &dyn AnyStep, camera: &dyn Camera,
         pixels: impl Iterator<Item = Pixel>,
     ) -> Vec<Option<Kept>> {
         let probe = Probe::new(Some(line), &self.answers);
@@ -110,8 +111,8 @@ impl Look {
     /// Shows `line`, with colours for the values that it has in `step`, or for those in `range`. Where the
     /// line is shown already its colours stay as long as they do for these values.
     pub fn show(
-        &mut self, line: LineName, range: Option<(f32, f32)>, step: &dyn Step, camera: &dyn Camera,
-        eye: Vec3,
+        &mut self, line: LineName, range: Option<(f32, f32)>, step: &dyn AnyStep,
+        camera: &dyn Camera, eye: Vec3,
     ) {
         let before = self.quantity.take();
         let before = before.filter(|before| before.line == line && before.range == range);
@@ -148,9 +149,11 @@ impl Step for Looked<'_> {
         });
         draw_told(self.step, camera, image, answers, told.as_ref());
     }
+}
 
-    fn tell(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color {
-        self.step.tell(camera, pixel, say)
+impl AnyStep for Looked<'_> {
+    fn record(&self, camera: &dyn Camera, pixel: Pixel, say: &Recorder) -> Color {
+        self.step.record(camera, pixel, say)
     }
 
     fn probe(&self, camera: &dyn Camera, pixel: Pixel, say: &Probe<'_>) -> Color {

@@ -2,12 +2,11 @@
 
 use std::ops::Range;
 
-use super::row::ACCENT;
-use super::row::ALTERED;
-use super::row::FAINT;
-use super::row::LINE;
-use super::row::REMOVED;
-use super::row::TEXT;
+use super::measures::ACCENT;
+use super::measures::ALTERED;
+use super::measures::FAINT;
+use super::measures::REMOVED;
+use super::measures::TEXT;
 use crate::Anchor;
 use crate::Area;
 use crate::Boxed;
@@ -19,7 +18,8 @@ use crate::CodeLine;
 use crate::Font;
 use crate::Ink;
 use crate::Math;
-use common::LineName;
+use crate::prose::LINE;
+use telling::LineName;
 
 const COMMENT: Ink = Ink::new(134, 150, 172);
 const QUOTED: Ink = Ink::new(214, 178, 138);

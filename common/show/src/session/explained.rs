@@ -1,6 +1,6 @@
 //! The rows of a pixel's explanation, what matters first.
 
-use super::row::ACCENT;
+use super::measures::ACCENT;
 use super::row::Fold;
 use super::row::Row;
 use crate::Letters;
@@ -15,12 +15,12 @@ use crate::rounded;
 use crate::text;
 use crate::translated;
 use crate::typeset;
-use common::Explanation;
-use common::Line;
-use common::LineName;
-use common::Outcome;
-use common::Scope;
 use common::Value;
+use telling::Explanation;
+use telling::Line;
+use telling::LineName;
+use telling::Outcome;
+use telling::Scope;
 
 /// An explanation as it is read.
 pub(super) struct Told<'a> {

@@ -4,6 +4,7 @@ mod code_row;
 mod explained;
 mod hands;
 mod layout;
+mod measures;
 mod paint;
 mod panel;
 mod row;

@@ -4,15 +4,14 @@ use image::RgbImage;
 
 use super::Session;
 use super::layout::Layout;
-use super::row::ACCENT;
-use super::row::ALTERED;
-use super::row::BACKGROUND;
-use super::row::CHOSEN;
-use super::row::FAINT;
-use super::row::MARGIN;
-use super::row::TEXT;
+use super::measures::ACCENT;
+use super::measures::ALTERED;
+use super::measures::BACKGROUND;
+use super::measures::CHOSEN;
+use super::measures::FAINT;
+use super::measures::MARGIN;
+use super::measures::TEXT;
 use super::row::Target;
-use super::row::draw_text;
 use crate::Anchor;
 use crate::Area;
 use crate::Canvas;
@@ -25,6 +24,9 @@ use crate::Program;
 use crate::Reading;
 use crate::count_off;
 use crate::over::draw_marks;
+use crate::prose;
+use crate::prose::count_lines;
+use crate::prose::draw_text;
 use crate::text;
 
 impl Session {
@@ -57,7 +59,9 @@ impl Session {
         let altered = self.desk.altered();
         match layout.beside {
             Some(beside) => {
-                if let Some((law, area)) = self.law() {
+                let law = self.law();
+                let told_below = law.as_ref().is_some_and(|(_, area)| *area == beside.caption);
+                if let Some((law, area)) = law {
                     canvas.fill(area, CHOSEN);
                     let at = area.inset(MARGIN * layout.em);
                     law.draw(&mut canvas, (at.left, at.top + law.above), TEXT, false);
@@ -74,7 +78,9 @@ impl Session {
                 }
                 let here = said.as_deref().filter(|_| layout.stop.is_none());
                 let said = [altered.as_deref(), here];
-                self.paint_caption(&mut canvas, &layout, beside.caption, said, status);
+                if !told_below {
+                    self.paint_caption(&mut canvas, &layout, beside.caption, said, status);
+                }
             }
             None => {
                 let said: Vec<String> = altered.clone().into_iter().chain(said.clone()).collect();
@@ -153,7 +159,7 @@ impl Session {
             let is_low = layout.stop.is_some() && area.height < 2.0 * row;
             let made = if is_low { "" } else { &*made };
             let (text, ink) = said.map_or((made, FAINT), |said| (said, TEXT));
-            let lines = Font::wrap(em, text, area.width).len();
+            let lines = count_lines(em, text, area.width);
             let height = row * lines as f32;
             let below = Area { top: area.top + row, height, ..area };
             // What is longer lies over the controls until the next key.
@@ -161,13 +167,13 @@ impl Session {
             draw_text(&mut canvas, below, em, ink, text);
             let at = area.at(Anchor::TopLeft);
             let (title, ink) = altered.map_or((headline, ACCENT), |altered| (altered, ALTERED));
-            canvas.text_within(at, Anchor::TopLeft, em, ink, title, area.width);
+            prose::draw_within(&mut canvas, at, em, ink, title, area.width);
             return;
         }
         let mut top = draw_text(&mut canvas, area, 1.2 * em, ACCENT, headline) + 0.2 * em;
         let hint = text!("click a pixel to see its equations · F1 all keys");
         let (last, last_ink) = said.map_or((hint, FAINT), |said| (said, TEXT));
-        let high = |text: &str| row * Font::wrap(em, text, area.width).len() as f32;
+        let high = |text: &str| row * count_lines(em, text, area.width) as f32;
         let rest = 0.5 * em + high(last);
         let altered = altered.unwrap_or_default();
         let concept = if slides.is_empty() { "" } else { concept };

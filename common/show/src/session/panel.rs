@@ -1,14 +1,14 @@
 //! A list of rows, scrolled.
 
-use super::row::ACCENT;
-use super::row::ADDED;
-use super::row::BAR;
-use super::row::CHOSEN;
-use super::row::GUTTER;
-use super::row::MARGIN;
-use super::row::NEW;
+use super::measures::ACCENT;
+use super::measures::ADDED;
+use super::measures::BAR;
+use super::measures::CHOSEN;
+use super::measures::GUTTER;
+use super::measures::MARGIN;
+use super::measures::NEW;
+use super::measures::TWO;
 use super::row::Row;
-use super::row::TWO;
 use super::row::Target;
 use super::row::slider;
 use crate::Area;
@@ -100,8 +100,8 @@ impl Panel {
         self.scroll.max(least).min(place.top) / self.em
     }
 
-    /// How far it has to be scrolled, in ems, for the code to begin that says it is this slide's; none
-    /// where no code does.
+    /// How far it has to be scrolled, in ems, for the code to begin that says it is this slide's: the
+    /// last, as functions stand before those that they call. None where no code does.
     pub(super) fn scroll_to_slide(&self, slide: &str) -> Option<f32> {
         let slide = format!("«{slide}");
         let comment = |row: &Row| match row {
@@ -114,7 +114,7 @@ impl Panel {
             let whole: String = pair.iter().flatten().map(String::as_str).collect();
             pair[0].is_some() && whole.contains(&slide)
         };
-        let named = comments.windows(2).position(names)?;
+        let named = comments.windows(2).rposition(names)?;
         let first = comments[..named].iter().rposition(Option::is_none).map_or(0, |row| row + 1);
         Some(self.places[first].top / self.em)
     }

@@ -1,6 +1,19 @@
 //! A row of a panel: how high it is, and how it is drawn.
 
 use super::code_row::CodeRow;
+use super::measures::ACCENT;
+use super::measures::ALTERED;
+use super::measures::BAR;
+use super::measures::DECIMALS;
+use super::measures::FAINT;
+use super::measures::GROOVE;
+use super::measures::HIGH;
+use super::measures::INDENT;
+use super::measures::MARGIN;
+use super::measures::NAME;
+use super::measures::NUMBER;
+use super::measures::SMALLER;
+use super::measures::TEXT;
 use crate::Anchor;
 use crate::Area;
 use crate::Boxed;
@@ -11,40 +24,10 @@ use crate::Letters;
 use crate::Math;
 use crate::Setting;
 use crate::plain;
-use common::LineName;
-
-/// Behind all that is beside the picture.
-pub(super) const BACKGROUND: Ink = Ink::new(21, 24, 31);
-pub(super) const TEXT: Ink = Ink::grey(238);
-pub(super) const FAINT: Ink = Ink::new(163, 172, 186);
-/// What is chosen, and what was changed.
-pub(super) const ACCENT: Ink = Ink::new(255, 208, 64);
-/// What is answered otherwise.
-pub(super) const ALTERED: Ink = Ink::new(255, 150, 70);
-/// What a step adds: to its code, and to what is told of a pixel.
-pub(super) const ADDED: Ink = Ink::new(150, 225, 150);
-/// What it takes away.
-pub(super) const REMOVED: Ink = Ink::new(255, 160, 150);
-pub(super) const NEW: Ink = Ink::new(30, 50, 42);
-pub(super) const CHOSEN: Ink = Ink::new(43, 49, 61);
-pub(super) const GROOVE: Ink = Ink::new(66, 74, 90);
-pub(super) const BAR: Ink = Ink::new(128, 140, 160);
-
-/// Heights and widths in ems.
-pub(super) const LINE: f32 = 1.2;
-pub(super) const HIGH: f32 = 1.5;
-pub(super) const MARGIN: f32 = 0.6;
-pub(super) const INDENT: f32 = 0.95;
-pub(super) const NUMBER: f32 = 4.4;
-/// How much of a number's column is behind its point.
-pub(super) const DECIMALS: f32 = 2.9;
-pub(super) const NAME: f32 = 6.6;
-/// How much smaller an equation may be to stand beside its values.
-const SMALLER: f32 = 0.7;
-/// From this width on controls stand two in a row.
-pub(super) const TWO: f32 = 24.0;
-/// Between the two.
-pub(super) const GUTTER: f32 = 1.6;
+use crate::prose::LINE;
+use crate::prose::count_lines;
+use crate::prose::draw_text;
+use telling::LineName;
 
 /// What can be folded.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -164,13 +147,13 @@ impl Row {
             }
             Self::Equation(math) => Boxed::display(math, em, width).height() + 0.5 * em,
             Self::Key(key, effect) => {
-                let effect = Font::wrap(em, effect, width - INDENT * em).len();
-                lines(Font::wrap(em, key, width).len() + effect) + 0.2 * em
+                let effect = count_lines(em, effect, width - INDENT * em);
+                lines(count_lines(em, key, width) + effect) + 0.2 * em
             }
-            Self::Listed(text, _) => lines(Font::wrap(em, text, width).len()) + 0.3 * em,
+            Self::Listed(text, _) => lines(count_lines(em, text, width)) + 0.3 * em,
             Self::Text(text, _) => {
                 let (indent, text) = indented(text, em);
-                lines(Font::wrap(em, text, width - indent).len())
+                lines(count_lines(em, text, width - indent))
             }
         }
     }
@@ -326,16 +309,6 @@ fn draw_fold(canvas: &mut Canvas<'_>, (x, y): (f32, f32), r: f32, open: bool, in
         false => [(x - 0.5 * r, y - r), (x - 0.5 * r, y + r), (x + 0.8 * r, y)],
     };
     canvas.triangle(corners, ink);
-}
-
-/// Writes a paragraph from the top of `area` on; where it ends.
-pub(super) fn draw_text(canvas: &mut Canvas<'_>, area: Area, em: f32, ink: Ink, text: &str) -> f32 {
-    let mut top = area.top;
-    for line in Font::wrap(em, text, area.width) {
-        canvas.text_within((area.left, top), Anchor::TopLeft, em, ink, &line, area.width);
-        top += LINE * em;
-    }
-    top
 }
 
 fn draw_line(

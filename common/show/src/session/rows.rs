@@ -4,14 +4,15 @@ use super::Session;
 use super::code_row::CodeRow;
 use super::code_row::Note;
 use super::explained::Told;
+use super::layout::Beside;
 use super::layout::Layout;
 use super::layout::split;
+use super::measures::FAINT;
+use super::measures::MARGIN;
+use super::measures::TEXT;
 use super::panel::Panel;
-use super::row::FAINT;
 use super::row::Fold;
-use super::row::MARGIN;
 use super::row::Row;
-use super::row::TEXT;
 use crate::Area;
 use crate::Boxed;
 use crate::Change;
@@ -29,11 +30,17 @@ use crate::rounded;
 use crate::text;
 use crate::translated;
 use crate::typeset;
-use common::Line;
-use common::LineName;
+use telling::Line;
+use telling::LineName;
 
 /// How much of what is read of a pixel its law may be.
 const LAW: f32 = 0.45;
+
+/// How large, in ems, letters are that the back row reads.
+const READ: f32 = 0.7;
+
+/// How many ems of height it takes below a picture, to be read as well there.
+const BELOW: f32 = 3.8;
 
 impl Session {
     /// The controls; none while the picture is alone.
@@ -47,8 +54,8 @@ impl Session {
     pub(super) fn reading_panel(&self) -> Option<Panel> {
         let layout = self.layout();
         let mut area = layout.beside?.reading?;
-        if let Some((_, above)) = self.law() {
-            area = split(area, above.height).1;
+        if let Some((_, law)) = self.law().filter(|(_, law)| law.left == area.left) {
+            area = split(area, law.height).1;
         }
         let em = match self.desk.reading() {
             Reading::Code => Layout::CODE * layout.em,
@@ -57,15 +64,20 @@ impl Session {
         Some(Panel::new(area, em, self.reading_rows(), self.reading_scroll))
     }
 
-    /// The law with the pinned pixel's numbers, and where it stands: on top of what is read of the pixel.
+    /// The law with the pinned pixel's numbers, and where it stands: on top of what is read of the pixel;
+    /// at a stop, whose title and text are told elsewhere, below the picture, as wide as that.
     pub(super) fn law(&self) -> Option<(Boxed, Area)> {
-        let layout = self.layout();
-        let area = layout.beside?.reading.filter(|_| self.desk.reading() == Reading::Pixel)?;
-        let margin = MARGIN * layout.em;
-        let room = (area.width - 2.0 * margin, LAW * area.height);
-        let law = self.desk.law().set(1.05 * layout.em, room.0, room.1);
+        let Layout { em, beside, stop, .. } = self.layout();
+        let Beside { caption, reading, .. } = beside?;
+        let above = reading.filter(|_| self.desk.reading() == Reading::Pixel)?;
+        let told_elsewhere = stop.is_some() && self.desk.altered().is_none();
+        let is_below = told_elsewhere && self.desk.pin().is_some() && caption.height >= BELOW * em;
+        let area = if is_below { caption } else { above };
+        let margin = MARGIN * em;
+        let most = if is_below { area.height - 1.2 * margin } else { LAW * area.height };
+        let law = self.desk.law().set(1.05 * em, area.width - 2.0 * margin, most);
         let height = law.height() + if law.width > 0.0 { 1.2 * margin } else { 0.0 };
-        Some((law, Area { height, ..area }))
+        Some((law, if is_below { area } else { Area { height, ..area } }))
     }
 
     /// The controls in their groups.
@@ -158,10 +170,11 @@ impl Session {
     }
 
     /// What is read of the pinned pixel without scrolling: what has numbers in the law, if all of that has
-    /// its place, then each row's equation, or its words with what they come to.
+    /// its place and is large enough for the back row, then each row's equation, or its words with what they come to.
     pub fn read_at_once(&self) -> Vec<String> {
         let law = self.law().filter(|(law, area)| {
-            law.width <= area.width && law.height() <= area.height && self.desk.pin().is_some()
+            let fits = law.width <= area.width && law.height() <= area.height;
+            fits && law.smallest() >= READ * self.layout().em && self.desk.pin().is_some()
         });
         let law = law.map_or(Vec::new(), |_| self.desk.law().told());
         let rows = self.reading_panel().map_or(Vec::new(), |panel| {

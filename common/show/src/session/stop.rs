@@ -1,20 +1,22 @@
 //! The stop of a tour, as the back row reads it.
 
 use super::Session;
-use super::row::ACCENT;
-use super::row::ALTERED;
-use super::row::BACKGROUND;
-use super::row::FAINT;
-use super::row::GROOVE;
-use super::row::LINE;
-use super::row::MARGIN;
-use super::row::TEXT;
-use super::row::draw_text;
+use super::measures::ACCENT;
+use super::measures::ALTERED;
+use super::measures::BACKGROUND;
+use super::measures::FAINT;
+use super::measures::GROOVE;
+use super::measures::MARGIN;
+use super::measures::TEXT;
 use crate::Anchor;
 use crate::Area;
 use crate::Asked;
 use crate::Canvas;
 use crate::Font;
+use crate::prose;
+use crate::prose::LINE;
+use crate::prose::count_lines;
+use crate::prose::draw_text;
 use crate::text;
 
 /// What a letter is made smaller by until all of a text can be read.
@@ -35,7 +37,7 @@ impl Session {
         let inner = Area { left: MARGIN * em, width: area.width - 2.0 * MARGIN * em, ..inner };
         let (at, right) = (inner.at(Anchor::TopLeft), inner.at(Anchor::TopRight));
         let title = format!("{} · {number}/{count}", stop.slide);
-        let left = Font::width(em, &title) + 0.8 * em;
+        let left = prose::width(em, &title) + 0.8 * em;
         let rest = inner.width - left;
         // What is longer takes the place of the stop's text.
         let (long, said) = match said {
@@ -55,7 +57,7 @@ impl Session {
         let rest = rest - Font::width(em, mark) - 0.8 * em;
         if rest > 2.0 * em {
             let at = (at.0 + left, at.1);
-            canvas.text_within(at, Anchor::TopLeft, em, FAINT, &stop.subtitle, rest);
+            prose::draw_within(canvas, at, em, FAINT, &stop.subtitle, rest);
         }
         let parts = match (long, self.desk.asked()) {
             (Some(long), _) => [("", FAINT), (long, TEXT)],
@@ -66,7 +68,7 @@ impl Session {
         let below = Area { top: inner.top + 1.3 * em, height: inner.height - 1.3 * em, ..inner };
         let lines = |em: f32| {
             let lines = parts.iter().filter(|(text, _)| !text.is_empty());
-            lines.map(|(text, _)| Font::wrap(em, text, below.width).len()).sum::<usize>()
+            lines.map(|(text, _)| count_lines(em, text, below.width)).sum::<usize>()
         };
         let mut small = em;
         while lines(small) as f32 * LINE * small > below.height && small > 0.4 * em {

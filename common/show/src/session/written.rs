@@ -5,8 +5,8 @@ use image::RgbImage;
 
 use super::Session;
 use super::explained::Told;
+use super::measures::BACKGROUND;
 use super::panel::Panel;
-use super::row::BACKGROUND;
 use super::row::Fold;
 use super::row::Row;
 use crate::Area;

@@ -2,15 +2,16 @@
 
 use std::cell::Cell;
 
+use common::Color;
+use common::Listener;
+use common::Ray;
+use common::Value;
+use common::Vec3;
+
 use crate::Answer;
-use crate::Color;
 use crate::Line;
 use crate::LineName;
-use crate::Listener;
 use crate::Place;
-use crate::Ray;
-use crate::Value;
-use crate::Vec3;
 use crate::answer::Inside;
 use crate::answer::Marks;
 

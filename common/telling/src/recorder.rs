@@ -3,19 +3,20 @@
 use std::cell::RefCell;
 use std::panic::Location;
 
+use common::Color;
+use common::Listener;
+use common::Pixel;
+use common::Ray;
+use common::Value;
+use common::Vec3;
+
 use crate::Answer;
-use crate::Color;
 use crate::Explanation;
 use crate::Line;
-use crate::Listener;
 use crate::Outcome;
 use crate::Part;
-use crate::Pixel;
 use crate::Place;
-use crate::Ray;
 use crate::Scope;
-use crate::Value;
-use crate::Vec3;
 use crate::explanation::SUM;
 
 /// Writes down what a step tells of a pixel: an [`Explanation`].

@@ -2,12 +2,13 @@
 
 use std::panic::Location;
 
-use crate::Color;
+use common::Color;
+use common::Pixel;
+use common::Ray;
+use common::Value;
+use common::Vec3;
+
 use crate::LineName;
-use crate::Pixel;
-use crate::Ray;
-use crate::Value;
-use crate::Vec3;
 
 /// One pixel's equations with their numbers, in the slides' symbols and in the order in which they
 /// were computed: what a step tells a [`Recorder`](crate::Recorder).

@@ -2,8 +2,9 @@
 
 use std::cell::Cell;
 
+use common::Value;
+
 use crate::Line;
-use crate::Value;
 
 /// A told line by what it is called: its equation, and the innermost or any scope around it that it is
 /// told about, such as a light; "" for any.
