@@ -1,13 +1,17 @@
-//! A browser without a screen, driven as a hand would.
+//! A browser without a screen, driven as a hand would: the one that `BROWSER` names, or Chromium.
 
+use std::env;
 use std::io::BufRead;
 use std::io::BufReader;
 use std::io::Read;
 use std::io::Write;
+use std::net::TcpListener;
 use std::net::TcpStream;
 use std::process::Child;
 use std::process::Stdio;
 use std::sync::LazyLock;
+use std::thread;
+use std::time::Duration;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -28,7 +32,23 @@ pub(crate) const DRAWN: &str = "(function look() {
     else requestAnimationFrame(look);
 })()";
 
-/// Chromium, and the program that drives it.
+/// Whose browser it is.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub(crate) enum Maker {
+    Chromium,
+    Firefox,
+    /// What Safari is made of.
+    WebKit,
+}
+
+pub(crate) static MAKER: LazyLock<Maker> = LazyLock::new(|| match env::var("BROWSER").as_deref() {
+    Err(_) | Ok("chromium") => Maker::Chromium,
+    Ok("firefox") => Maker::Firefox,
+    Ok("webkit") => Maker::WebKit,
+    Ok(other) => panic!("BROWSER={other}: chromium, firefox or webkit"),
+});
+
+/// A browser, and the program that drives it.
 pub(crate) struct Browser {
     driver: Child,
     port: u16,
@@ -43,25 +63,39 @@ impl Browser {
 
     /// A browser whose user likes these languages, the first one most.
     pub(crate) fn speaking(languages: &str, width: u32, height: u32) -> Self {
-        let mut driver = start("chromedriver")
-            .arg("--port=0")
-            .stdout(Stdio::piped())
-            .stderr(Stdio::null())
-            .spawn()
-            .expect("chromedriver runs: apt-get install chromium chromium-driver");
-        let lines = BufReader::new(driver.stdout.take().expect("it is piped")).lines();
-        let mut ports = lines.map_while(Result::ok).filter_map(|line| {
-            line.split("successfully on port ").nth(1)?.trim_end_matches('.').parse().ok()
-        });
-        let port = ports.next().expect("chromedriver says its port");
-        let mut browser = Self { driver, port, session: String::new() };
         // Whoever is root has no sandbox; what is opened is our own.
         let arguments = ["--headless=new", "--no-sandbox", "--hide-scrollbars"];
-        let wish = json!({"capabilities": {"alwaysMatch": {
-            "goog:loggingPrefs": {"browser": "ALL"},
-            "goog:chromeOptions": {"args": arguments, "prefs": {"intl.accept_languages": languages}},
-        }}});
-        let session = browser.ask("POST", "/session", &wish);
+        let preferred = json!({"intl.accept_languages": languages});
+        let (program, wish) = match *MAKER {
+            Maker::Chromium => (
+                "chromedriver",
+                json!({
+                    "goog:loggingPrefs": {"browser": "ALL"},
+                    "goog:chromeOptions": {"args": arguments, "prefs": preferred},
+                }),
+            ),
+            Maker::Firefox => (
+                "geckodriver",
+                json!({"moz:firefoxOptions": {"args": ["-headless"], "prefs": preferred}}),
+            ),
+            Maker::WebKit => ("WebKitWebDriver", json!({})),
+        };
+        let free = TcpListener::bind(("127.0.0.1", 0)).expect("a port is free");
+        let port = free.local_addr().expect("it has an address").port();
+        drop(free);
+        let driver = start(program)
+            .arg(format!("--port={port}"))
+            .env("LC_ALL", format!("{}.UTF-8", languages[..2].to_owned()))
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap_or_else(|error| panic!("{program} runs, which .ci/page installs: {error}"));
+        while TcpStream::connect(("127.0.0.1", port)).is_err() {
+            thread::sleep(Duration::from_millis(10));
+        }
+        let mut browser = Self { driver, port, session: String::new() };
+        let session =
+            browser.ask("POST", "/session", &json!({"capabilities": {"alwaysMatch": wish}}));
         browser.session = format!("/session/{}", text(&session["sessionId"]));
         browser.resize(width, height);
         browser
@@ -122,6 +156,14 @@ impl Browser {
     }
 
     pub(crate) fn resize(&self, width: u32, height: u32) {
+        if *MAKER != Maker::Chromium {
+            // What is around the page belongs to the window.
+            let rest = self.run("return [outerWidth - innerWidth, outerHeight - innerHeight]");
+            let around = |side: u32, at: usize| f64::from(side) + rest[at].as_f64().unwrap_or(0.0);
+            let size = json!({"width": around(width, 0), "height": around(height, 1)});
+            self.post("/window/rect", &size);
+            return;
+        }
         let metrics = json!({"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 500});
         self.tell("Emulation.setDeviceMetricsOverride", &metrics);
     }
@@ -198,9 +240,12 @@ impl Browser {
         image::load_from_memory(&png).expect("a PNG").to_rgb8()
     }
 
-    /// Nothing is in the console, of errors and warnings.
+    /// Nothing is in the console, of errors and warnings, as far as the browser tells.
     #[track_caller]
     pub(crate) fn is_quiet(&self) {
+        if *MAKER != Maker::Chromium {
+            return;
+        }
         assert_eq!(self.post("/se/log", &json!({"type": "browser"})), json!([]));
     }
 }

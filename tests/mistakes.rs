@@ -78,7 +78,7 @@ fn each_mistake_is_told_from_all_others() {
         "center.x=0.9",
         "k_d=0.3",
     ];
-    let mut unnamed: Vec<&str> = Mistake::ALL.iter().map(|mistake| mistake.what).collect();
+    let mut unnamed: Vec<&str> = Mistake::all().map(|mistake| mistake.what).collect();
     unnamed.dedup();
     for (index, name) in STEPS.iter().enumerate() {
         let size = size(32, 18);
@@ -94,7 +94,7 @@ fn each_mistake_is_told_from_all_others() {
         });
         let frames: Vec<(Shot<'_>, RgbImage)> = frames.collect();
         // In the first step that shows it is enough.
-        let known = Mistake::ALL.par_iter().filter(|mistake| unnamed.contains(&mistake.what));
+        let known = Mistake::all().par_bridge().filter(|mistake| unnamed.contains(&mistake.what));
         let said = known.map(|mistake| {
             let found = frames.iter().map(|(shot, _)| {
                 RgbImage::from_fn(32, 18, |col, row| Rgb(mistake.pixel(shot, col, row)))
@@ -132,7 +132,7 @@ fn what_mistakes_speak_of_is_in_the_steps() {
     }
     let untold: Vec<&str> = untold.iter().map(|(symbol, _)| *symbol).collect();
     assert!(untold.is_empty(), "no step tells these, so no mistake in them is found: {untold:?}");
-    for Mistake { what, place, .. } in Mistake::ALL {
+    for Mistake { what, place, .. } in Mistake::all() {
         // What becomes of a pixel's colour is no step's concern.
         let Some((function, file)) = place.split_once(" in ") else {
             assert_eq!(*place, "where a pixel is written", "{what}");
@@ -142,5 +142,39 @@ fn what_mistakes_speak_of_is_in_the_steps() {
         let begins = format!(" fn {function}(");
         let has_it = |step: &&str| path(step).exists() && source(path(step)).contains(&begins);
         assert!(STEPS.iter().any(has_it), "{what}: no step has {place}");
+    }
+}
+
+#[test]
+fn what_other_settings_explain_is_said_first_and_mistakes_follow_the_settings() {
+    let shadows = "There are no shadows: V is always 1. ";
+    for (step, found, expected, said) in [
+        (6, "--what-if V=1", "", &["With --set epsilon=0.4 it would match", shadows][..]),
+        (6, "--what-if V=1", "--set epsilon=0.02", &["With --set epsilon=0.4 it would ", shadows]),
+        (6, "--what-if V=1 --set fov=50", "--set fov=50", &["With --set epsilon=0.4 it ", shadows]),
+        (6, "--what-if V=1", "--language pt", &["Com --set epsilon=0.4 ", "Não há sombras: V "]),
+        (6, "--set epsilon=0.4", "--set epsilon=0.02", &["With --set epsilon=0.4 it would match"]),
+        (6, "", "--set fov=50", &["Without --set it would match"]),
+        (6, "--samples 2", "", &["With --samples 2 it would match"]),
+        (7, "--camera parallel", "", &["With --set camera=parallel it would match"]),
+        (
+            7,
+            "--what-if L_s=0 --set key.I=60",
+            "--set key.I=60",
+            &["The specular term L_s is missing"],
+        ),
+    ] {
+        let folder = tempdir().expect("a folder");
+        let run = |options: &str| {
+            let arguments = [words("-s 240x135"), words(options)].concat();
+            run_in(folder.path(), STEPS[step - 1], &arguments)
+        };
+        assert!(run(&format!("{found} -o a.png")).status.success(), "{found}");
+        let output = run(&format!("{expected} --compare a.png"));
+        let text = String::from_utf8_lossy(&output.stdout);
+        let lines: Vec<&str> = text.lines().skip(1).collect();
+        let are = lines.iter().zip(said).all(|(line, begins)| line.starts_with(begins));
+        let more = lines.get(said.len()).is_some_and(|line| line.contains(" --set "));
+        assert!(are && lines.len() >= said.len() && !more, "{found}, {expected}: {text}");
     }
 }

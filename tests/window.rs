@@ -37,9 +37,13 @@ pub(crate) struct Display {
 
 impl Display {
     pub(crate) fn start() -> Self {
+        Self::of("2000x1200x24")
+    }
+
+    /// One of this width and height, and of so many bits a pixel.
+    fn of(screen: &str) -> Self {
         let mut server = start("Xvfb")
-            .args(["-displayfd", "1", "-screen", "0", "2000x1200x24", "-nolisten", "tcp"])
-            .arg("-noreset")
+            .args(["-displayfd", "1", "-screen", "0", screen, "-nolisten", "tcp", "-noreset"])
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
             .spawn()
@@ -300,6 +304,34 @@ fn without_a_window_the_picture_is_written() {
             assert!(Comparison::new(&picture_of(&setup(4), width, height), &found, &[]).is_equal());
         }
     }
+}
+
+#[test]
+#[ignore = "needs Xvfb"]
+fn where_a_pixel_has_16_bits_the_picture_is_written() {
+    let (display, folder) = (Display::of("800x600x16"), tempdir().expect("a folder"));
+    let mut command = command(STEPS[1], folder.path());
+    let output = command.args(["--size", "64x36"]).env("DISPLAY", &display.name).output();
+    let output = output.expect("the step starts");
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(errors.contains("have 16 bits, and a window's have 32"), "{errors}");
+    assert!(output.status.success() && files(folder.path()) == ["step02_sphere.png"], "{errors}");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn where_a_library_is_missing_the_packages_to_install_are_named() {
+    // What stands in for one that is not installed: one that cannot be loaded.
+    let (libraries, folder) = (tempdir().expect("a folder"), tempdir().expect("a folder"));
+    for name in ["libXcursor.so.1", "libXcursor.so"] {
+        fs::write(libraries.path().join(name), "").expect("written");
+    }
+    let mut command = command(STEPS[1], folder.path());
+    command.env("LD_LIBRARY_PATH", libraries.path()).env("DISPLAY", ":4711");
+    let output = command.args(["--size", "64x36"]).output().expect("the step starts");
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(errors.contains("sudo apt install libx11-6 libxcursor1, "), "{errors}");
+    assert!(output.status.success() && files(folder.path()) == ["step02_sphere.png"], "{errors}");
 }
 
 /// What is shown while something is dragged: first a draft that is there in time, then all of it.

@@ -156,6 +156,10 @@ function buttons() {
   });
   hold.addEventListener("contextmenu", (event) => event.preventDefault());
   $("divider").oninput = () => act({ divideAt: Number($("divider").value) });
+  $("all").onclick = () => {
+    $("pixel").scrollIntoView();
+    $("pinned").focus({ preventScroll: true });
+  };
   $("unpin").onclick = () => {
     // What is hidden cannot keep the focus.
     if (document.activeElement === $("unpin")) $("picture").focus({ preventScroll: true });

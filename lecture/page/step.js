@@ -23,7 +23,6 @@ function showStep() {
   if (covered) showPassage();
   const title = titleOf(state.step);
   document.title = covered ? $("name").textContent : `${title} · ${$("name").textContent}`;
-  $("now").setAttribute("aria-label", title);
 }
 
 /** Shows what is read; where another text was read `before`, begins at its top. */

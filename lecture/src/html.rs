@@ -56,6 +56,7 @@ const SCRIPT: &str = concat!(
     include_str!("../page/prose.js"),
     include_str!("../page/cover.js"),
     include_str!("../page/explanation.js"),
+    include_str!("../page/gist.js"),
     include_str!("../page/code.js"),
     include_str!("../page/desk.js"),
     include_str!("../page/controls.js"),

@@ -29,15 +29,15 @@ use show::Workspace;
 use show::side_by_side;
 use show::text;
 use show::written;
+use telling::Explanation;
 
 /// How many times its light a picture is compared with where some of it is darker than black, or brighter
 /// than white. Where a picture cuts that off, the mean of many rays does not.
 const DARKER: f32 = -1.0;
 const BRIGHTER: f32 = 1.0 / 16.0;
 
-/// Where, in eighths across and down, both programs have to tell the same: of pictures from the first on,
-/// evenly, a pixel each.
-const TOLD: [(usize, usize); 6] = [(4, 4), (3, 5), (6, 4), (4, 4), (4, 4), (4, 4)];
+/// Into so many parts across and down a picture is divided, to find a pixel of which much is told.
+const PARTS: usize = 8;
 
 /// A picture of both programs.
 struct Compared<'a> {
@@ -120,10 +120,9 @@ pub(crate) fn check(program: &Program, name: &str) -> Result<Verdict> {
         };
         let mut note = String::new();
         if let Some(built) = &built {
-            for (index, pixel) in TOLD.iter().enumerate().filter(|_| count > 0) {
-                let picture = &compared[index * compared.len() / TOLD.len()];
+            for picture in compared.iter().filter(|it| it.times == 1.0) {
                 if note.is_empty() {
-                    note = picture.told_otherwise(program.name, name, built, *pixel)?;
+                    note = picture.told_otherwise(program.name, name, built)?;
                 }
             }
         }
@@ -182,17 +181,19 @@ impl<'a> Compared<'a> {
         let explanation = expected;
         text += &text!("\nas {name} has it:\n{explanation}", name = step, explanation);
         let options = arguments.join(" ");
-        text += &text!("as {name} has it: cargo run -p {name} -- {options}\n", name, options);
+        text +=
+            &text!("the same pixel of {name}: cargo run -p {name} -- {options}\n", name, options);
         Ok(text)
     }
 
     /// Which line the program `built` of the step `name` tells otherwise than `step`, although both
-    /// draw the same: of the pixel so many eighths across and down, if there is one.
-    fn told_otherwise(
-        &self, step: &str, name: &str, built: &Path, (across, down): (usize, usize),
-    ) -> Result<String> {
+    /// draw the same: of a pixel of which as much is told as of any that is looked at, if there is one.
+    fn told_otherwise(&self, step: &str, name: &str, built: &Path) -> Result<String> {
         let (width, height) = (self.case.size.width(), self.case.size.height());
-        let (col, row) = (width * across / 8, height * down / 8);
+        let pixels = (0..PARTS * PARTS)
+            .map(|part| (width * (part % PARTS) / PARTS, height * (part / PARTS) / PARTS));
+        let told = |pixel: &(usize, usize)| self.explained(*pixel).lines().count();
+        let (col, row) = pixels.max_by_key(told).unwrap_or_default();
         let (expected, arguments) = self.of_pixel(col, row);
         let found = other::tell(name, built, &arguments)?;
         let options = self.case;
@@ -209,11 +210,14 @@ impl<'a> Compared<'a> {
 
     /// What is told of a pixel, and what has a program tell it.
     fn of_pixel(&self, col: usize, row: usize) -> (String, Vec<String>) {
-        let (width, height) = (self.case.size.width(), self.case.size.height());
-        let frame = self.shot.frame;
-        let explanation = frame.step.explain(frame.camera, Pixel { col, row, width, height });
         let mut arguments = self.case.arguments();
         arguments.extend(["--pixel".to_owned(), format!("{col},{row}")]);
-        (written(&explanation), arguments)
+        (written(&self.explained((col, row))), arguments)
+    }
+
+    fn explained(&self, (col, row): (usize, usize)) -> Explanation {
+        let (width, height) = (self.case.size.width(), self.case.size.height());
+        let frame = self.shot.frame;
+        frame.step.explain(frame.camera, Pixel { col, row, width, height })
     }
 }

@@ -28,6 +28,9 @@ pub struct Diagnosis {
 /// Of so many pixels that differ one may stay unexplained.
 const PART: usize = 10;
 
+/// Of so many one, where two mistakes may explain them: two fit more than one does.
+const PART_OF_TWO: usize = 50;
+
 /// Of so many one, where a milestone and one more mistake may explain them.
 const HALF: usize = 2;
 
@@ -48,7 +51,7 @@ impl Diagnosis {
         let reached = reached.min_by_key(|(misfits, _)| *misfits);
         // What a step hands over is not encoded yet.
         let all: Vec<&Mistake> =
-            Mistake::ALL.iter().filter(|it| step.is_empty() || !it.is_encoding()).collect();
+            Mistake::all().filter(|it| step.is_empty() || !it.is_encoding()).collect();
         let misfits = |it: &&Mistake| sample.misfits(PART, |place| mistaken(&[*it], place));
         let known: Vec<(usize, &Mistake)> =
             all.iter().filter_map(|it| Some((misfits(it)?, *it))).collect();
@@ -80,7 +83,7 @@ impl Diagnosis {
             for two in all[index + 1..].iter().filter(|two| one.goes_with(two)) {
                 let both = [*one, *two];
                 if sample.may_fit(|place| mistaken(&both, place)) {
-                    let misfits = sample.misfits(PART, |place| mistaken(&both, place));
+                    let misfits = sample.misfits(PART_OF_TWO, |place| mistaken(&both, place));
                     known.extend(misfits.map(|misfits| (misfits, both)));
                 }
             }
@@ -104,7 +107,7 @@ impl Diagnosis {
                 Kind::Told(slip) => milestone.misfits(sample, PART, Some(slip)).is_some(),
                 _ => false,
             };
-            let mut known = Mistake::ALL.iter().filter(fits);
+            let mut known = Mistake::all().filter(fits);
             let but = known.next()?;
             let is_alone = known.all(|other| other.what == but.what);
             is_alone.then_some(Self {

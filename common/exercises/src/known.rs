@@ -1,6 +1,4 @@
-//! The mistakes that the lecture knows, by slide and place.
-
-use std::f32::consts::PI;
+//! The mistakes that the lecture knows in what is seen, by slide and place; and how one is listed.
 
 use crate::mistake::Kind;
 use crate::mistake::Mistake;
@@ -9,7 +7,6 @@ use crate::said::told;
 use crate::symbol::*;
 use common::Color;
 use common::Pixel;
-use common::Ray;
 use show::Setting;
 
 macro_rules! kind {
@@ -22,8 +19,10 @@ macro_rules! kind {
     (encoded $encoding:expr) => { Kind::Encoded($encoding) };
 }
 
+pub(crate) use kind;
+
 /// By slide and place: what is wrong, and how a step is made to do it.
-macro_rules! known {
+macro_rules! mistakes {
     ($($slide:literal, $place:literal { $($what:literal => $kind:ident($($how:tt)*);)* })*) => {
         &[$($(Mistake {
             what: $what,
@@ -33,9 +32,10 @@ macro_rules! known {
         },)*)*]
     };
 }
+pub(crate) use mistakes;
 
 #[rustfmt::skip]
-pub(crate) const ALL: &[Mistake] = known! {
+pub(crate) const SEEN: &[Mistake] = mistakes! {
     "Mapeamento", "viewing_ray in render.rs" {
         "The ½ is missing: (u, v) is the pixel's corner, not its centre" =>
             mapped(|pixel| grid(pixel, 0.0, 0.0));
@@ -65,6 +65,8 @@ pub(crate) const ALL: &[Mistake] = known! {
             mapped(|pixel| { let (u, v) = center(pixel); (v, u) });
         "Columns and rows are exchanged" =>
             mapped(|pixel| { let (u, v) = center(pixel); (1.0 - v, 1.0 - u) });
+        "Columns and rows are exchanged" =>
+            mapped(|pixel| center(Pixel { col: pixel.row, row: pixel.col, ..pixel }));
         "The picture is upside down: v = 1 − (row + ½)/height" =>
             mapped(|pixel| { let (u, v) = center(pixel); (u, 1.0 - v) });
         "The picture is mirrored: u = (col + ½)/width" =>
@@ -141,6 +143,15 @@ pub(crate) const ALL: &[Mistake] = known! {
                 let radius = said.radius_squared(d)?.max(0.0).sqrt();
                 said.get(A)? * (radius - said.get(Q_SQUARED)?)
             });
+        "The sign in D is wrong: it is a (radius² − q²)" =>
+            told(|said| D(d) => d + 2.0 * said.get(A)? * said.get(Q_SQUARED)?);
+        "D is the other way round: it is b² − a c, or a (radius² − q²)" =>
+            told(|_| D(d) => -d);
+        "The length of q = p − center − (b/a) d is not squared" =>
+            told(|_| Q_SQUARED(q_squared) => q_squared.sqrt());
+        "The sign in q is wrong: it is p − center − (b/a) d" =>
+            told(|said| Q_SQUARED(q_squared) =>
+                q_squared + 4.0 * said.get(B)?.powi(2) / said.get(A)?);
         "The sphere's centre is not subtracted: p is ray.origin − center" =>
             told(|said|
                 B(_) => { let ray = said.viewing_ray()?; ray.direction.dot(ray.origin) },
@@ -185,6 +196,9 @@ pub(crate) const ALL: &[Mistake] = known! {
         "β has the wrong sign" => told(|_| BETA(beta) => -beta);
         "γ has the wrong sign" => told(|_| GAMMA(gamma) => -gamma);
         "t has the wrong sign" => told(|_| T(t) => -t);
+        "β and γ are not divided by D" =>
+            told(|said| BETA(beta) => beta * said.get(D)?, GAMMA(gamma) => gamma * said.get(D)?);
+        "t is not divided by D" => told(|said| T(t) => t * said.get(D)?);
         "A triangle is seen from one side only: D may have either sign" =>
             told(|said| T(t) => if said.get(D)? > 0.0 { -1.0 } else { t });
         "A triangle is seen from one side only: D may have either sign" =>
@@ -199,12 +213,37 @@ pub(crate) const ALL: &[Mistake] = known! {
         "γ ≥ 0 is not asked" =>
             unasked(|said|
                 GAMMA(gamma) => gamma.max(0.0), ALPHA(_) => said.weights()?[0], POINT(_) => said.on_plane()?);
-        "Whether the point is inside is not asked: the whole plane is seen" =>
+        "Whether the point is inside is not asked, or with && for ||: the whole plane is seen" =>
             unasked(|said|
                 BETA(beta) => beta.max(0.0),
                 GAMMA(gamma) => gamma.max(0.0),
                 ALPHA(_) => said.weights()?[0].max(0.0),
                 POINT(_) => said.on_plane()?);
+        "It is outside where any of α, β and γ is below 0: || stands between all three" =>
+            unasked(|said|
+                BETA(beta) => beta.max(0.0),
+                GAMMA(gamma) => gamma.max(0.0),
+                ALPHA(_) => {
+                    let [alpha, beta, gamma] = said.weights()?;
+                    if beta < 0.0 && gamma < 0.0 { -1.0 } else { alpha }
+                },
+                POINT(_) => said.on_plane()?);
+        "It is outside where any of α, β and γ is below 0: || stands between all three" =>
+            unasked(|said|
+                BETA(beta) => beta.max(0.0),
+                ALPHA(_) => {
+                    let [alpha, beta, _] = said.weights()?;
+                    if alpha < 0.0 && beta < 0.0 { -1.0 } else { 0.0 }
+                },
+                POINT(_) => said.on_plane()?);
+        "α is asked the wrong way round: outside is where it is below 0" =>
+            unasked(|_| ALPHA(alpha) => -alpha);
+        "β is asked the wrong way round: outside is where it is below 0" =>
+            unasked(|said|
+                BETA(beta) => -beta, ALPHA(_) => said.weights()?[0], POINT(_) => said.on_plane()?);
+        "γ is asked the wrong way round: outside is where it is below 0" =>
+            unasked(|said|
+                GAMMA(gamma) => -gamma, ALPHA(_) => said.weights()?[0], POINT(_) => said.on_plane()?);
         "α is 1 − β − γ: a sign is wrong" =>
             told(|said| ALPHA(_) => 1.0 - said.get(BETA)? + said.get(GAMMA)?);
         "α is 1 − β − γ: a sign is wrong" =>
@@ -226,176 +265,6 @@ pub(crate) const ALL: &[Mistake] = known! {
         "The first hit wins, not the closest" => told(|_| T_MAX(_) => 0.0);
         "The background is black" => told(|_| BACKGROUND(_) => Color::ZERO);
     }
-    "Somando as contribuições", "shade in material.rs" {
-        "The specular term L_s is missing" => told(|_| L_S(_) => Color::ZERO);
-        "The diffuse term L_d is missing" => told(|_| L_D(_) => Color::ZERO);
-    }
-    "Múltiplas luzes", "shade in scene.rs" {
-        "No light is added: L is L_a alone" => told(|_| VISIBLE(_) => 0.0);
-    }
-    "Reflexão Lambertiana", "shade in material.rs" {
-        "n is not turned to the viewer: where n·v < 0 it is −n" =>
-            told(|said| N(_) => said.seen(NORMAL)?);
-        "n or l points the other way: n goes to the viewer, l from the point to the light" =>
-            told(|_| N_DOT_L(n_dot_l) => -n_dot_l);
-        "L_d is too large by a factor r: l is not of unit length, or I is divided by r, not by r²" =>
-            told(|said|
-                L_D(_) => said.reflected(said.n_dot(said.to_light()?)?.max(0.0))?,
-                N_DOT_H(_) =>
-                    said.n_dot((said.to_light()? + said.get(TO_VIEWER)?).normalize_or_zero())?);
-        "l is the light's position, not the vector from the point to the light" =>
-            told(|said| L_D(_) => {
-                let l = (said.seen(POINT)? + said.to_light()?).normalize_or_zero();
-                said.reflected(said.n_dot(l)?.max(0.0))?
-            });
-        "max(0, n·l) is n·l alone: lights from behind take light away" =>
-            told(|said| L_D(_) => said.reflected(said.get(N_DOT_L)?)?);
-        "It is |n·l|, not max(0, n·l)" =>
-            told(|said| L_D(_) => said.reflected(said.get(N_DOT_L)?.abs())?);
-        "n·l is missing: light from all angles counts alike" =>
-            told(|said| L_D(_) => said.reflected(1.0)?);
-        "n·l is missing, although lights from behind do not count" =>
-            told(|said| L_D(_) => said.reflected(f32::from(said.get(N_DOT_L)? > 0.0))?);
-        "n·l is squared" =>
-            told(|said| L_D(l_d) => said.get(N_DOT_L)?.max(0.0) * l_d);
-        "k_d is missing" => told(|_| K_D(_) => Color::ONE);
-        "L_d is divided by π, which I already has in it" =>
-            told(|_| L_D(l_d) => l_d / PI);
-    }
-    "Atenuação por distância", "shade in material.rs" {
-        "The light's intensity I is missing" =>
-            told(|said| IRRADIANCE(_) => 1.0 / said.get(R_SQUARED)?);
-        "I is not divided by r²: light does not weaken with the distance" =>
-            told(|said| IRRADIANCE(irradiance) => irradiance * said.get(R_SQUARED)?);
-        "L_d is too large by a factor r: l is not of unit length, or I is divided by r, not by r²" =>
-            told(|said| IRRADIANCE(irradiance) => irradiance * said.get(R_SQUARED)?.sqrt());
-        "I is divided by r⁴: r² is squared once more" =>
-            told(|said| IRRADIANCE(irradiance) => irradiance / said.get(R_SQUARED)?);
-        "I is divided by 4π r², as if it were a power" =>
-            told(|_| IRRADIANCE(irradiance) => irradiance / (4.0 * PI));
-    }
-    "Atenuação por distância", "shade in material.rs" {
-        "r is the light's distance from the origin, not from the point" =>
-            told(|said| IRRADIANCE(irradiance) => {
-                let light = said.seen(POINT)? + said.to_light()?;
-                irradiance * said.get(R_SQUARED)? / light.length_squared()
-            });
-        "r is the point's distance from the origin, not from the light" =>
-            told(|said| IRRADIANCE(irradiance) =>
-                irradiance * said.get(R_SQUARED)? / said.seen(POINT)?.length_squared());
-        "r is the t of the viewing ray, not the distance from the point to the light" =>
-            told(|said| IRRADIANCE(irradiance) =>
-                irradiance * said.get(R_SQUARED)? / said.seen(T_MAX)?.powi(2));
-    }
-    "Sombras", "is_blocked in scene.rs" {
-        "There are no shadows: V is always 1" => told(|_| VISIBLE(_) => 1.0);
-        "It is the wrong way round: V is 1 where something blocks the light" =>
-            told(|_| VISIBLE(v) => 1.0 - v);
-        "ε is 0: surfaces shadow themselves" =>
-            blocked(|ray, _| between(ray, 0.0, 1.0));
-        "The shadow ray does not end at the light (t = 1): what is behind the light blocks it" =>
-            blocked(|ray, epsilon| between(ray, epsilon, f32::INFINITY));
-        "The shadow ray's direction has unit length, but it ends at t = 1: that is not the light" =>
-            blocked(|ray, epsilon| {
-                let length = ray.direction.length();
-                between(ray, epsilon / length, 1.0 / length)
-            });
-    }
-    "Sombras", "is_blocked in scene.rs" {
-        "The shadow ray comes from the light, with ε there: it is at the surface that ε is needed" =>
-            blocked(|ray, epsilon| {
-                between(Ray::new(ray.at(1.0), -ray.direction), epsilon, 1.0)
-            });
-        "The shadow ray points away from the light: its direction is light − point" =>
-            blocked(|ray, epsilon| between(Ray::new(ray.origin, -ray.direction), epsilon, 1.0));
-        "The shadow ray's direction is the light's position, not the vector from the point to it" =>
-            blocked(|ray, epsilon| between(Ray::new(ray.origin, ray.at(1.0)), epsilon, 1.0));
-        "Where one light is blocked all is black: black is what that light alone adds" =>
-            told(|said| RADIANCE(l) =>
-                if said.lights_seen() < said.lights().len() { Color::ZERO } else { l });
-    }
-    "Múltiplas luzes", "shade in scene.rs" {
-        "Of the lights after one that is blocked none is asked" =>
-            told(|said| VISIBLE(v) => if said.lights_seen() < said.lights().len() { 0.0 } else { v });
-        "Each light takes the place of what was there: it is +=, not =" =>
-            told(|said| RADIANCE(_) => said.last_light()?);
-        "The first light is left out" =>
-            told(|said| VISIBLE(v) => if said.lights().is_empty() { 0.0 } else { v });
-        "The second light is left out" =>
-            told(|said| VISIBLE(v) => if said.lights().len() == 1 { 0.0 } else { v });
-        "The light is the mean of all lights, not their sum" =>
-            told(|said| RADIANCE(l) => {
-                let ambient = said.ambient()?;
-                ambient + (l - ambient) / said.lights().len().max(1) as f32
-            });
-    }
-    "Illuminação ambiente", "shade in scene.rs" {
-        "The ambient term L_a is missing" => told(|_| L_A(_) => Color::ZERO);
-        "k_a is always a tenth of k_d: it is a colour of its own, which begins so" =>
-            set(|settings| {
-                let of = |name| settings.iter().filter(move |it| it.control.name == name);
-                let pairs = of("k_a").zip(of("k_d"));
-                pairs.map(|(k_a, k_d)| (k_a.name.clone(), 0.1 * k_d.control.value)).collect()
-            });
-        "The ambient term is grey: k_a has the surface's colour" =>
-            told(|_| K_A(_) => Color::splat(0.1));
-        "The ambient term is I_a alone, without k_a" => told(|_| K_A(_) => Color::ONE);
-        "The ambient term is k_a alone, without I_a" => told(|_| I_A(_) => 1.0);
-        "The ambient term is added once for each light" =>
-            told(|said| RADIANCE(l) => l + (said.lights().len() as f32 - 1.0) * said.ambient()?);
-        "The ambient term is added once for each light that is seen" =>
-            told(|said| RADIANCE(l) => l + (said.lights_seen() as f32 - 1.0) * said.ambient()?);
-        "The ambient term is multiplied, not added" =>
-            told(|said| RADIANCE(l) => (l - said.ambient()?) * said.ambient()?);
-    }
-    "Somando as contribuições", "shade in material.rs" {
-        "k_s is missing" => told(|_| K_S(_) => 1.0);
-        "The highlight is not multiplied by I/r²" =>
-            told(|said| L_S(l_s) => l_s / said.get(IRRADIANCE)?);
-        "The highlight is multiplied by I, not by I/r²" =>
-            told(|said| L_S(l_s) => l_s * said.get(R_SQUARED)?);
-        "The highlight is multiplied by n·l, too" =>
-            told(|said| L_S(l_s) => l_s * said.get(N_DOT_L)?.max(0.0));
-        "The highlight has the surface's colour, k_d, not the light's" =>
-            told(|said| L_S(l_s) => l_s * said.get(K_D)?);
-    }
-    "Modelo Blinn-Phong", "shade in material.rs" {
-        "The highlight is Phong's, v_r·v, not Blinn-Phong's, n·h" =>
-            told(|said| N_DOT_H(_) => said.v_r()?.dot(said.get(TO_VIEWER)?));
-        "v_r is 2 (n·l) n − l, not 2 (n·v) n − l; and Blinn-Phong takes n·h" =>
-            told(|said| N_DOT_H(_) => {
-                let v = said.get(TO_VIEWER)?;
-                (2.0 * said.n_dot(v)? * said.get(N)? - said.get(TO_LIGHT)?).dot(v)
-            });
-        "It is max(0, n·h) to the power p, not times p" =>
-            told(|said| HIGHLIGHT(_) => said.get(N_DOT_H)?.max(0.0) * said.get(EXPONENT)?);
-        "h is not of unit length: divide v + l by its length" =>
-            told(|said| N_DOT_H(_) => said.n_dot(said.v_plus_l()?)?);
-        "h is (v + l)/2, not of unit length: divide v + l by its length" =>
-            told(|said| N_DOT_H(_) => said.n_dot(said.v_plus_l()? / 2.0)?);
-        "v points from the eye to the surface: it is −d, normalised" =>
-            told(|_| TO_VIEWER(v) => -v);
-        "v points from the eye to the surface: it is −d, normalised" =>
-            told(|said| N_DOT_H(_) =>
-                said.n_dot((said.get(TO_LIGHT)? - said.get(TO_VIEWER)?).normalize_or_zero())?);
-        "cos α is n·v, not n·h" => told(|said| N_DOT_H(_) => said.n_dot(said.get(TO_VIEWER)?)?);
-        "cos α is n·l, not n·h" => told(|said| N_DOT_H(_) => said.get(N_DOT_L)?);
-        "cos α is v·l, not n·h" =>
-            told(|said| N_DOT_H(_) => said.get(TO_VIEWER)?.dot(said.get(TO_LIGHT)?));
-        "cos α is l·h, not n·h" => told(|said| N_DOT_H(_) => said.get(TO_LIGHT)?.dot(said.get(H)?));
-        "p is too small by a factor 4" => told(|_| EXPONENT(p) => p / 4.0);
-        "p is too large by a factor 4" => told(|_| EXPONENT(p) => 4.0 * p);
-        "p is too small by a factor 2" => told(|_| EXPONENT(p) => p / 2.0);
-        "The exponent p is missing" => told(|_| EXPONENT(_) => 1.0);
-    }
-    "Reflexão", "shade in material.rs" {
-        "The highlight is where n·l < 0, not where n·l > 0" =>
-            told(|said|
-                N_DOT_L(n_dot_l) => if n_dot_l > 0.0 { n_dot_l } else { 1e-9 },
-                L_S(l_s) => if said.get(N_DOT_L)? > 1e-8 { Color::ZERO } else { l_s });
-        "A light behind the surface has a highlight too: ask for n·l > 0" =>
-            told(|_| N_DOT_L(n_dot_l) => n_dot_l.max(1e-9));
-    }
 };
 
 /// The (u, v) of a place in a pixel: `offset` from its upper left corner, and with `less` than all
@@ -409,11 +278,6 @@ fn grid(pixel: Pixel, offset: f32, less: f32) -> (f32, f32) {
 /// The share of a picture that is as wide as it is high.
 fn narrowed(share: f32, pixel: Pixel) -> f32 {
     0.5 + (share - 0.5) * pixel.height as f32 / pixel.width as f32
-}
-
-/// The part of `ray` between these t: a ray, and the t at which it ends.
-fn between(ray: Ray, from: f32, to: f32) -> (Ray, f32) {
-    (Ray::new(ray.at(from), ray.direction), to - from)
 }
 
 /// The (u, v) of a pixel's centre.

@@ -8,6 +8,7 @@ mod check;
 mod diagnosis;
 mod first_line;
 mod known;
+mod known_light;
 mod milestone;
 mod mistake;
 mod other;

@@ -5,6 +5,7 @@ use std::mem::discriminant;
 
 use crate::known;
 use crate::known::center;
+use crate::known_light;
 use crate::said::Said;
 use crate::said::added;
 use crate::said::told;
@@ -15,6 +16,7 @@ use common::Camera;
 use common::Color;
 use common::Pixel;
 use common::Ray;
+use common::Vec3;
 use show::Frame;
 use show::Radiance;
 use show::Setting;
@@ -53,8 +55,9 @@ pub(crate) enum Kind {
     Told(Slip),
     /// The same, so that what is asked of the value lets it pass; where it is seen, it is as it was.
     Unasked(Slip),
-    /// A light is blocked by what is on the ray that this makes of the shadow ray and ε, up to this t.
-    Blocked(fn(Ray, f32) -> (Ray, f32)),
+    /// A light is blocked by what is on the ray that this makes of the shadow ray, the light's place and
+    /// ε, up to this t.
+    Blocked(fn(Ray, Vec3, f32) -> (Ray, f32)),
     /// Another colour is seen, if this knows one, than by all that was told.
     Seen(fn(&Said<'_>, Color) -> Option<Color>),
     /// The radiance, linear, is put otherwise into a pixel: 0 to 1, or cut off there.
@@ -71,7 +74,9 @@ impl fmt::Display for Mistake {
 
 impl Mistake {
     /// All that are known.
-    pub const ALL: &'static [Self] = known::ALL;
+    pub fn all() -> impl Iterator<Item = &'static Self> {
+        known::SEEN.iter().chain(known_light::LIT)
+    }
 
     /// What the pixel (col, row) of `shot` is with this mistake.
     pub fn pixel(&self, shot: &Shot<'_>, col: u32, row: u32) -> [u8; 3] {
@@ -158,7 +163,7 @@ fn color(mistakes: &[&Mistake], shot: &Shot<'_>, pixel: Pixel) -> Color {
                 _ => None,
             });
             let Some(ray) = ray else { continue };
-            let (ray, end) = range(ray, shot.epsilon);
+            let (ray, end) = range(ray, shot.light_at(ray.at(1.0)), shot.epsilon);
             if first_hit(step, &ray).is_some_and(|t| t < end) {
                 color -= added(light);
             }

@@ -145,7 +145,7 @@ impl Said<'_> {
 
     /// L_a.
     pub(crate) fn ambient(&self) -> Option<Color> {
-        Some(self.get(I_A)? * self.get(K_A)?)
+        self.get(L_A)
     }
 
     /// V of each light that was spoken of.

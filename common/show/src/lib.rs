@@ -68,6 +68,7 @@ pub use desk::Compare;
 pub use desk::Desk;
 pub use desk::Does;
 pub use desk::Effect;
+pub use desk::Gist;
 pub use desk::Group;
 pub use desk::Hand;
 pub use desk::Key;

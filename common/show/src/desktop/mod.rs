@@ -10,6 +10,8 @@ mod input;
 mod job;
 mod key;
 mod panicked;
+#[cfg(all(unix, not(target_os = "macos")))]
+mod pixel_bits;
 mod printed;
 mod progress;
 mod read;

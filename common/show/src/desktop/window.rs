@@ -12,6 +12,8 @@ use std::time::Instant;
 
 use anyhow::Result;
 use anyhow::anyhow;
+#[cfg(all(unix, not(target_os = "macos")))]
+use anyhow::bail;
 use anyhow::ensure;
 use image::RgbImage;
 use minifb::InputCallback;
@@ -22,6 +24,8 @@ use minifb::WindowOptions;
 use super::key::Keyboard;
 use super::key::Told;
 use super::key::Typed;
+#[cfg(all(unix, not(target_os = "macos")))]
+use super::pixel_bits::pixel_bits;
 use crate::Size;
 use crate::pack;
 use crate::text;
@@ -130,6 +134,16 @@ impl Window {
             env::var_os("DISPLAY").is_none_or(|display| !display.is_empty()),
             text!("no display")
         );
+        #[cfg(all(unix, not(target_os = "macos")))]
+        if let Ok(display) = env::var("DISPLAY")
+            && let Some(bits) = pixel_bits(&display).filter(|bits| *bits != 32)
+        {
+            bail!(text!(
+                "the pixels of the display {display} have {bits} bits, and a window's have 32",
+                display,
+                bits
+            ));
+        }
         let options = WindowOptions {
             resize: true,
             scale_mode: ScaleMode::Stretch,

@@ -97,7 +97,7 @@ impl<'a> Sketch<'a> {
     pub fn outside(&mut self, view: &View) {
         let Sight { step, camera, area } = self.sight;
         let outside = Outside { step, view, onlooker: camera, area };
-        outside.draw(&mut self.canvas, None, &[], self.size);
+        outside.draw(&mut self.canvas, None, &[], self.size, None);
     }
 
     /// Writes `text`, readable on any picture, with its middle at `at`, in pixels.
