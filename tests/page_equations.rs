@@ -66,7 +66,7 @@ fn draw_the_sheet() {
         browser.show(&format!("#{}&pixel=440,200", &name[..6]));
         browser.unfold();
         browser.run(&format!(
-            "document.querySelectorAll('#formula .math > div')[{place}].id = 'drawn'"
+            "document.querySelectorAll('article:not([hidden]) .equation .math > div')[{place}].id = 'drawn'"
         ));
         put(&mut sheet, &browser.photo("#drawn"), (2 * left, row as u32 * ROW), right);
     }
