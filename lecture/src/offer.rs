@@ -50,7 +50,9 @@ pub(crate) fn offer(name: &str, code: &str) -> Option<String> {
         });
     }
     let title = escape(code);
-    let labels: Vec<String> = labels.iter().map(|label| format!("<span>{label}</span>")).collect();
+    // No line ends between a bracket and what stands in it.
+    let span = |label: &String| format!("<span>\u{2060}{label}</span>");
+    let labels: Vec<String> = labels.iter().map(span).collect();
     let (label, address) = (labels.join(", "), escape(&shown(name, &address)));
     let offer =
         format!("<a class=\"try\" data-address=\"{address}\" title=\"{title}\">{label}</a>");
