@@ -6,7 +6,7 @@ let saidOf = "";
 function showGist() {
   const { pin, step } = state;
   $("strip").hidden = !pin;
-  const math = $("formula").querySelector(".math");
+  const math = formula().querySelector(".math");
   const law = [...math.querySelectorAll("[data-symbol]")].map(({ dataset }) => dataset.symbol);
   const [of, numbers] = (pin && asked({ gist: law })) || ["", []];
   const parts = numbers.map(([symbol, values]) => `${symbol} ${values.join(" ")}`);
