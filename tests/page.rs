@@ -9,6 +9,7 @@ mod markup;
 mod page_class;
 mod page_drags;
 mod page_equations;
+mod page_essay;
 mod page_hands;
 mod page_keys;
 mod page_looks;

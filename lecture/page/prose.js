@@ -63,6 +63,8 @@ function offer() {
   for (const place of document.querySelectorAll("a.try")) {
     place.href = encoded(place.dataset.address);
     place.setAttribute("role", "button");
+    // Not every screen reader reads a formula.
+    place.setAttribute("aria-label", place.title.replace(/--(set|what-if|camera|pixel) /g, ""));
     place.setAttribute("aria-pressed", "false");
   }
   $("handouts").addEventListener("pointerover", look);
@@ -72,7 +74,8 @@ function offer() {
     take(event.target);
   });
   addEventListener("beforeprint", () => {
-    unfolded = [...document.querySelectorAll("article:not([hidden]) details:not([open])")];
+    const folded = "article:not([hidden]) :is(.try, .asks) details:not([open])";
+    unfolded = [...document.querySelectorAll(folded)];
     for (const fold of unfolded) fold.open = true;
   });
   addEventListener("afterprint", () => {

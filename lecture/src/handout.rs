@@ -150,7 +150,10 @@ fn with_indices(html: &str) -> String {
             let end = after.find(|next: char| !next.is_alphabetic()).unwrap_or(after.len());
             let (index, rest) = after.split_at(end);
             let mut letters = before.chars().rev().take_while(|letter| letter.is_alphabetic());
+            // A vector's letter is bold.
+            let is_bold = tag == "/strong" && before.is_empty();
             let _ = match (letters.next(), letters.next()) {
+                (None, None) if is_bold => write!(indexed, "<sub>{index}</sub>"),
                 (Some(_), None) => write!(indexed, "{before}<sub>{index}</sub>"),
                 _ => write!(indexed, "{before}_{index}"),
             };

@@ -116,7 +116,7 @@ pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
     for program in PROGRAMS {
         let picture = format!("tests/pictures/{}_perspective.png", program.name);
         still(&root.join(picture), program.name, STEP_QUALITY, &mut style)?;
-        stills(&root.join(program.name).join("figures"), &mut style)?;
+        stills(&root.join(program.name).join("figures"), &articles, &mut style)?;
     }
     let template = include_str!("../page/index.html");
     let texts = texts(&[template, SCRIPT, &articles]);
@@ -161,7 +161,7 @@ fn without_comments(script: &str) -> String {
 
 /// The committed pictures in `folder`, small, as the grounds of the places for the figures: where
 /// nothing can be drawn, they remain. Those of one language, NAME.LANGUAGE.png, are not needed.
-fn stills(folder: &Path, style: &mut String) -> Result<()> {
+fn stills(folder: &Path, articles: &str, style: &mut String) -> Result<()> {
     // A step needs no figures.
     if !folder.exists() {
         return Ok(());
@@ -173,7 +173,7 @@ fn stills(folder: &Path, style: &mut String) -> Result<()> {
     paths.sort();
     for path in paths {
         let name = path.file_stem().unwrap_or_default().display().to_string();
-        if name.contains('.') {
+        if !articles.contains(&format!("data-figure=\"{name}\"")) {
             continue;
         }
         still(&path, &name, STILL_QUALITY, style)?;

@@ -50,6 +50,7 @@ pub(crate) fn offer(name: &str, code: &str) -> Option<String> {
         });
     }
     let title = escape(code);
+    let labels: Vec<String> = labels.iter().map(|label| format!("<span>{label}</span>")).collect();
     let (label, address) = (labels.join(", "), escape(&shown(name, &address)));
     let offer =
         format!("<a class=\"try\" data-address=\"{address}\" title=\"{title}\">{label}</a>");
@@ -59,8 +60,7 @@ pub(crate) fn offer(name: &str, code: &str) -> Option<String> {
 /// `light.x=-4` as an equation.
 fn equal(setting: &str) -> String {
     let (name, value) = setting.split_once('=').unwrap_or((setting, ""));
-    // It is not broken within.
-    format!("{}\u{a0}=\u{a0}{}", formula(name), escape(&value.replace('-', "−")))
+    format!("{} = {}", formula(name), escape(&value.replace('-', "−")))
 }
 
 fn formula(name: &str) -> String {
