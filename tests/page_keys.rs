@@ -108,7 +108,7 @@ fn the_keyboard_reaches_it_all() {
         });
         assert!(found, "no way to {id}");
     };
-    browser.run("document.activeElement.blur(); scrollTo(0, 0)");
+    browser.run("$('steps').querySelector('a').focus()");
     tab_to("picture");
     let azimuth = number(&browser, "azimuth");
     press(Key::Right);

@@ -254,7 +254,7 @@ impl<'a> Pen<'a> {
             };
             let mut best: Option<(f32, Area)> = None;
             // The earlier, the nearer to what it names.
-            let later = 0.015 * self.text_size * self.text_size;
+            let later = 0.03 * self.text_size * self.text_size;
             for (number, area) in places.enumerate() {
                 let hidden = covered(&area);
                 let cost = hidden + later * number as f32;
