@@ -27,7 +27,8 @@ function look({ target, pointerType }) {
   }
   const place = target.closest("a.try");
   if (!place || pointerType !== "mouse" || holds(place)) return;
-  // Who only passes by does not mean it.
+  // A pixel tells what one is to guess. And who only passes by does not mean it.
+  if (place.dataset.address.includes("&pixel=")) return;
   looking = setTimeout(() => {
     const before = state.address;
     showOnly(place.dataset.address);
