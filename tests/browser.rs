@@ -83,7 +83,12 @@ impl Browser {
         let free = TcpListener::bind(("127.0.0.1", 0)).expect("a port is free");
         let port = free.local_addr().expect("it has an address").port();
         drop(free);
-        let driver = start(program)
+        let mut driver = start(program);
+        if *MAKER == Maker::WebKit {
+            // It has no way to be without a screen.
+            driver.envs(env::var("DISPLAY").map(|display| ("DISPLAY", display)));
+        }
+        let driver = driver
             .arg(format!("--port={port}"))
             .env("LC_ALL", format!("{}.UTF-8", languages[..2].to_owned()))
             .stdout(Stdio::null())
@@ -105,7 +110,8 @@ impl Browser {
     fn ask(&self, method: &str, path: &str, body: &Value) -> Value {
         let mut stream = TcpStream::connect(("127.0.0.1", self.port)).expect("the driver listens");
         let body = if method == "POST" { body.to_string() } else { String::new() };
-        let head = format!("{method} {path} HTTP/1.1\r\nHost: localhost\r\nContent-Length: ");
+        let host = format!("127.0.0.1:{}", self.port);
+        let head = format!("{method} {path} HTTP/1.1\r\nHost: {host}\r\nContent-Length: ");
         let question = format!("{head}{}\r\n\r\n{body}", body.len());
         stream.write_all(question.as_bytes()).expect("the driver reads");
         // It keeps the connection, so the end is where the head says.
@@ -179,14 +185,28 @@ impl Browser {
         self.post("/url", &json!({"url": address}));
     }
 
+    /// What `script` returns, or the error that it throws.
     pub(crate) fn run(&self, script: &str) -> Value {
-        self.post("/execute/sync", &json!({"script": script, "args": []}))
+        let tried = format!("done((() => {{ {script}\n }})())");
+        self.wait_for(&format!("try {{ {tried} }} catch (error) {{ done(`${{error}}`) }}"))
     }
 
-    /// What `script` hands to `done`.
+    /// What `script` hands to `done`. It is one of the page's own: those of Firefox's driver see none of
+    /// what the page calls by name.
     pub(crate) fn wait_for(&self, script: &str) -> Value {
-        let script = format!("const done = arguments[0]; {script}");
-        self.post("/execute/async", &json!({"script": script, "args": []}))
+        let own = format!(
+            "{{ const done = (value = null) =>
+                document.dispatchEvent(new CustomEvent('done', {{ detail: JSON.stringify(value) }}));
+            {script}\n }}"
+        );
+        let begin = "const [text, answer] = arguments;
+            document.addEventListener('done', ({ detail }) => answer(detail), { once: true });
+            const own = document.createElement('script');
+            own.textContent = text;
+            document.documentElement.append(own);
+            own.remove();";
+        let answer = text(&self.post("/execute/async", &json!({"script": begin, "args": [own]})));
+        serde_json::from_str(&answer).expect("an answer in JSON")
     }
 
     pub(crate) fn wait_until(&self, condition: &str) {
@@ -252,8 +272,8 @@ impl Browser {
 
 impl Drop for Browser {
     fn drop(&mut self) {
-        // With a slash at its end the browser would be left behind.
-        if !std::thread::panicking() {
+        // With a slash at its end the browser would be left behind. Chromium goes with its driver.
+        if !std::thread::panicking() || *MAKER != Maker::Chromium {
             self.ask("DELETE", &self.session, &Value::Null);
         }
         let _ = self.driver.kill();
