@@ -17,8 +17,10 @@ use image::DynamicImage;
 use jpeg_encoder::ColorType;
 use jpeg_encoder::Encoder;
 use jpeg_encoder::SamplingFactor;
+use show::INKED;
 use show::Language;
 use show::Tour;
+use show::symbol_ink;
 use show::text;
 
 use crate::PROGRAMS;
@@ -86,6 +88,10 @@ pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
         "@font-face {{ font-family: Mathematics; src: url(data:font/woff2;base64,{font}); }}\n{}",
         include_str!("../page/style.css")
     );
+    for (name, ink) in INKED.into_iter().filter_map(|name| Some((name, symbol_ink(name)?))) {
+        let [r, g, b] = ink.rgb;
+        style.push_str(&format!("math .{name} {{ --ink: #{r:02x}{g:02x}{b:02x}; }}\n"));
+    }
     let spoken = Language::spoken();
     for language in Language::all() {
         // What is said besides the handouts is said in their language.
