@@ -55,7 +55,7 @@ function move(event) {
 function up(event) {
   if (!pointers.delete(event.pointerId) || pointers.size) return;
   $("picture").classList.remove("grabbed");
-  if (event.type === "pointerup" && dragged <= 4 && grabbed === null) act({ pin: share(event) });
+  if (event.type === "pointerup" && dragged <= 4 && grabbed === null) pinAt(share(event));
 }
 
 function turned(event) {
