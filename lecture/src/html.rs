@@ -20,6 +20,7 @@ use jpeg_encoder::SamplingFactor;
 use show::INKED;
 use show::Language;
 use show::Tour;
+use show::Workspace;
 use show::symbol_ink;
 use show::text;
 
@@ -69,10 +70,14 @@ const SCRIPT: &str = concat!(
     include_str!("../page/main.js"),
 );
 
-/// The folder that holds all crates.
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."))
-}
+/// What has to stand by the fonts and crates that are in the page.
+const LICENCES: [&str; 5] = [
+    include_str!("../../LICENSES/DejaVu.txt"),
+    include_str!("../../LICENSES/Iosevka.txt"),
+    include_str!("../../LICENSES/STIX.txt"),
+    include_str!("../../LICENSES/crates.txt"),
+    include_str!("../../LICENSE-APACHE"),
+];
 
 /// The whole page, with the steps' program in it that [`build`] makes.
 ///
@@ -80,7 +85,8 @@ fn root() -> &'static Path {
 ///
 /// When a handout or a picture cannot be read.
 pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
-    let root = root();
+    let workspace = Workspace::find()?;
+    let root = workspace.root();
     let wasm = packed(program)?;
     let (mut links, mut articles) = (String::new(), String::new());
     let font = STANDARD.encode(FONT);
@@ -134,6 +140,7 @@ pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
             ("texts", &texts),
             ("links", &links),
             ("articles", &articles),
+            ("licences", &escape(&LICENCES.join("\n"))),
             ("wasm", &wasm),
             ("tours", &page::tours(tours)?.replace("</", "<\\/")),
         ],
@@ -290,7 +297,8 @@ fn filled(template: &str, parts: &[(&str, &str)]) -> String {
 ///
 /// When they do not build.
 pub fn build() -> Result<Vec<u8>> {
-    let root = root();
+    let workspace = Workspace::find()?;
+    let root = workspace.root();
     let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut build = match env::var_os("WASM") {
         Some(helper) => {
