@@ -30,6 +30,7 @@ use crate::handout;
 use crate::handout::Handout;
 use crate::handout::Section;
 use crate::packed::packed;
+use crate::packed::without_unsaid;
 
 /// Pixels of a figure's picture, and what part of it a JPEG keeps: so that the page stays small.
 const STILL_WIDTH: u32 = 280;
@@ -87,7 +88,7 @@ const LICENCES: [&str; 5] = [
 pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
     let workspace = Workspace::find()?;
     let root = workspace.root();
-    let wasm = packed(program)?;
+    let wasm = packed(&without_unsaid(program))?;
     let (mut links, mut articles) = (String::new(), String::new());
     let font = STANDARD.encode(FONT);
     let mut style = format!(
@@ -140,9 +141,9 @@ pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
             ("texts", &texts),
             ("links", &links),
             ("articles", &articles),
-            ("licences", &escape(&LICENCES.join("\n"))),
+            ("licences", &packed(LICENCES.join("\n").as_bytes())?),
             ("wasm", &wasm),
-            ("tours", &page::tours(tours)?.replace("</", "<\\/")),
+            ("tours", &packed(page::tours(tours)?.as_bytes())?),
         ],
     ))
 }
