@@ -83,7 +83,7 @@ function isKept({ key, target, ctrlKey, altKey, metaKey }) {
   if (/^(Enter| )$/.test(key) && target.matches("a, button, summary, select, [type=checkbox]"))
     return true;
   // Who reads with the keyboard turns pages there, and what has its own ways keeps them.
-  return Boolean(target.closest("#handouts, #below, #divider, #pixel, #code, #keys"))
+  return Boolean(target.closest("#handouts, #divider, #pixel, #code, #keys"))
     && /^(Arrow|Page|Home|End|Enter| )/.test(key);
 }
 
