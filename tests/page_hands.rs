@@ -5,6 +5,8 @@ use tests::prelude::*;
 
 use crate::browser::Browser;
 use crate::browser::DRAWN;
+use crate::browser::MAKER;
+use crate::browser::Maker;
 
 /// Hands that go ways over the picture, from a place to another by their shares of it: a press, and
 /// letting go.
@@ -84,8 +86,11 @@ fn a_mouse_turns_the_camera_and_moves_a_corner_and_fingers_zoom() {
     let (azimuth, distance) = (number(&browser, "azimuth"), number(&browser, "distance"));
     drag(&browser, "mouse", &[[(0.5, 0.1), (0.6, 0.1)]]);
     assert!(number(&browser, "azimuth") < azimuth - 10.0);
-    drag(&browser, "touch", &[[(0.3, 0.5), (0.1, 0.5)], [(0.7, 0.5), (0.9, 0.5)]]);
-    assert!((number(&browser, "distance") / distance - 0.5).abs() < 0.05);
+    // The driver of WebKit has no fingers.
+    if *MAKER != Maker::WebKit {
+        drag(&browser, "touch", &[[(0.3, 0.5), (0.1, 0.5)], [(0.7, 0.5), (0.9, 0.5)]]);
+        assert!((number(&browser, "distance") / distance - 0.5).abs() < 0.05);
+    }
     assert_eq!(browser.run("return state.pin"), Value::Null);
 
     browser.show("#step03&handles=on");

@@ -141,6 +141,7 @@ fn a_click_on_a_line_shows_it_and_on_its_question_mark_alters_it() {
     assert_eq!(seen(), json!([true, true, "false"]));
     assert!(browser.canvas("#now") == plain);
     click("");
+    browser.run(&format!("{line}.focus({{ preventScroll: true }})"));
     browser.key("keyDown", "\u{e00c}");
     assert_eq!(seen(), json!([true, true, "false"]));
     click(".closest('div').querySelector('.ask button')");
