@@ -95,3 +95,20 @@ fn a_line_is_shown_by_a_click_and_a_curve_by_a_key() {
     let said = key(&mut session, Key::Escape);
     assert_eq!((said, session.note().is_some()), (vec![Effect::Repaint], true), "it never ends");
 }
+
+#[test]
+fn what_is_pinned_is_what_keys_act_on() {
+    let mut session = window(desk(6, Size::DEFAULT));
+    let mut selected = |at: (f32, f32)| {
+        click(&mut session, at);
+        session.selected().map(str::to_owned)
+    };
+    let [red, green] = [(0.48, 0.46), (0.23, 0.63)].map(&mut selected);
+    assert_eq!((red.as_deref(), green.as_deref()), (Some("red.k_s"), Some("green.k_s")));
+    // The background has no controls.
+    assert_eq!(selected((0.5, 0.02)).as_deref(), Some("green.k_s"));
+    key(&mut session, Key::Down);
+    let second = session.selected().map(str::to_owned);
+    click(&mut session, (0.23, 0.64));
+    assert_eq!(session.selected().map(str::to_owned), second, "it is one of them already");
+}

@@ -69,7 +69,7 @@ function move(event) {
 function up(event) {
   if (!pointers.delete(event.pointerId) || pointers.size) return;
   $("picture").classList.remove("grabbed");
-  if (event.type === "pointerup" && turns === null && grabbed === null) act({ pin: share(event) });
+  if (event.type === "pointerup" && turns === null && grabbed === null) pinAt(share(event));
 }
 
 /** What is held ends where nobody can know whether it still is. */

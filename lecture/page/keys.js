@@ -9,7 +9,7 @@ const HANDS = {
   reset: () => act({ reset: selected().name || "" }),
   pin() {
     const here = pointed || (document.activeElement === $("picture") ? [0.5, 0.5] : null);
-    if (here) act({ pin: here });
+    if (here) pinAt(here);
     else notice(text("point at the picture to pin a pixel"));
   },
   larger: () => enlarge(1.1),
@@ -38,6 +38,15 @@ function choose(row) {
   chosen = row.id;
   for (const other of rows()) (other.closest(".control") || other).classList.remove("selected");
   (row.closest(".control") || row).classList.add("selected");
+}
+
+/** Pins a pixel: keys then act on the controls of what is seen there. */
+function pinAt(place) {
+  act({ pin: place });
+  const heading = state.pin && $(`group-${state.hit}`);
+  if (!heading || heading.parentNode.contains(selected())) return;
+  heading.parentNode.open = true;
+  choose(heading.parentNode.querySelector("input, select"));
 }
 
 function select(by) {
@@ -74,7 +83,7 @@ function isKept({ key, target, ctrlKey, altKey, metaKey }) {
   if (/^(Enter| )$/.test(key) && target.matches("a, button, summary, select, [type=checkbox]"))
     return true;
   // Who reads with the keyboard turns pages there, and what has its own ways keeps them.
-  return Boolean(target.closest("#handouts, #below, #divider, #pixel, #code, #keys"))
+  return Boolean(target.closest("#handouts, #divider, #pixel, #code, #keys"))
     && /^(Arrow|Page|Home|End|Enter| )/.test(key);
 }
 

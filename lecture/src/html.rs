@@ -17,8 +17,11 @@ use image::DynamicImage;
 use jpeg_encoder::ColorType;
 use jpeg_encoder::Encoder;
 use jpeg_encoder::SamplingFactor;
+use show::INKED;
 use show::Language;
 use show::Tour;
+use show::Workspace;
+use show::symbol_ink;
 use show::text;
 
 use crate::PROGRAMS;
@@ -27,6 +30,7 @@ use crate::handout;
 use crate::handout::Handout;
 use crate::handout::Section;
 use crate::packed::packed;
+use crate::packed::without_unsaid;
 
 /// Pixels of a figure's picture, and what part of it a JPEG keeps: so that the page stays small.
 const STILL_WIDTH: u32 = 280;
@@ -67,10 +71,14 @@ const SCRIPT: &str = concat!(
     include_str!("../page/main.js"),
 );
 
-/// The folder that holds all crates.
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."))
-}
+/// What has to stand by the fonts and crates that are in the page.
+const LICENCES: [&str; 5] = [
+    include_str!("../../LICENSES/DejaVu.txt"),
+    include_str!("../../LICENSES/Iosevka.txt"),
+    include_str!("../../LICENSES/STIX.txt"),
+    include_str!("../../LICENSES/crates.txt"),
+    include_str!("../../LICENSE-APACHE"),
+];
 
 /// The whole page, with the steps' program in it that [`build`] makes.
 ///
@@ -78,14 +86,19 @@ fn root() -> &'static Path {
 ///
 /// When a handout or a picture cannot be read.
 pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
-    let root = root();
-    let wasm = packed(program)?;
+    let workspace = Workspace::find()?;
+    let root = workspace.root();
+    let wasm = packed(&without_unsaid(program))?;
     let (mut links, mut articles) = (String::new(), String::new());
     let font = STANDARD.encode(FONT);
     let mut style = format!(
         "@font-face {{ font-family: Mathematics; src: url(data:font/woff2;base64,{font}); }}\n{}",
         include_str!("../page/style.css")
     );
+    for (name, ink) in INKED.into_iter().filter_map(|name| Some((name, symbol_ink(name)?))) {
+        let [r, g, b] = ink.rgb;
+        style.push_str(&format!("math .{name} {{ --ink: #{r:02x}{g:02x}{b:02x}; }}\n"));
+    }
     let spoken = Language::spoken();
     for language in Language::all() {
         // What is said besides the handouts is said in their language.
@@ -128,8 +141,9 @@ pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
             ("texts", &texts),
             ("links", &links),
             ("articles", &articles),
+            ("licences", &packed(LICENCES.join("\n").as_bytes())?),
             ("wasm", &wasm),
-            ("tours", &page::tours(tours)?.replace("</", "<\\/")),
+            ("tours", &packed(page::tours(tours)?.as_bytes())?),
         ],
     ))
 }
@@ -284,7 +298,8 @@ fn filled(template: &str, parts: &[(&str, &str)]) -> String {
 ///
 /// When they do not build.
 pub fn build() -> Result<Vec<u8>> {
-    let root = root();
+    let workspace = Workspace::find()?;
+    let root = workspace.root();
     let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut build = match env::var_os("WASM") {
         Some(helper) => {

@@ -175,7 +175,7 @@ impl<'a> Compared<'a> {
         let mut text = String::new();
         if let Some(built) = built {
             let found = other::tell(name, built, &arguments)?;
-            let line = first_line(&expected, &found);
+            let line = first_line(&expected, &found, true);
             text += &line.map(|line| line.written(step, name)).unwrap_or_default();
         }
         let explanation = expected;
@@ -197,7 +197,7 @@ impl<'a> Compared<'a> {
         let (expected, arguments) = self.of_pixel(col, row);
         let found = other::tell(name, built, &arguments)?;
         let options = self.case;
-        Ok(first_line(&expected, &found).map_or(String::new(), |line| {
+        Ok(first_line(&expected, &found, false).map_or(String::new(), |line| {
             let note = text!(
                 "but one line is told otherwise, which no picture here shows; of pixel ({col}, {row}) with {options}:",
                 col,

@@ -19,13 +19,22 @@ struct Written<'a> {
     value: &'a str,
 }
 
+impl Written<'_> {
+    fn has_number(&self) -> bool {
+        self.value.split_whitespace().next().is_some_and(|word| word.parse::<f32>().is_ok())
+    }
+}
+
 /// By how much of it a number may be off that is the same, computed otherwise.
 const SAME: f32 = 1e-3;
 
-/// The first line that `expected` and `found` tell differently, if there is one.
-pub(crate) fn first_line<'a>(expected: &'a str, found: &'a str) -> Option<FirstLine<'a>> {
+/// The first line that `expected` and `found` tell differently, if there is one: of numbers alone, unless
+/// `words` are asked for. Why something is not hit depends on what was hit before.
+pub(crate) fn first_line<'a>(
+    expected: &'a str, found: &'a str, words: bool,
+) -> Option<FirstLine<'a>> {
     let mut found = lines(found);
-    lines(expected).into_iter().find_map(|line| {
+    lines(expected).into_iter().filter(|line| words || line.has_number()).find_map(|line| {
         let Written { about, equation, value } = line;
         // Of two floors the first is the first: what was found is taken away.
         let place = found.iter().position(|it| it.about == about && it.equation == equation)?;
@@ -43,7 +52,27 @@ impl FirstLine<'_> {
             text!("\nthe first line that differs, of {about}: {equation}\n", about, equation);
         let width = expected.len().max(found.len());
         let value = |name, value| format!("    {name:<width$}  {value}\n");
-        line + &value(expected, self.expected) + &value(found, self.found)
+        line + &value(expected, self.expected) + &value(found, self.found) + &self.times()
+    }
+
+    /// How many times what was expected was found, where that is a number which somebody forgets.
+    fn times(&self) -> String {
+        let numbers = |text: &str| text.split_whitespace().map(str::parse).collect();
+        let both: [Result<Vec<f32>, _>; 2] = [self.expected, self.found].map(numbers);
+        let [Ok(expected), Ok(found)] = both else { return String::new() };
+        let are = |times: f32| {
+            let scaled: Vec<String> = expected.iter().map(|it| (times * it).to_string()).collect();
+            is_same(&scaled.join(" "), self.found)
+        };
+        let times = (2..=10_u8).find(|times| are(f32::from(*times)));
+        let parts = (2..=10_u8).find(|parts| are(1.0 / f32::from(*parts)));
+        match (found.iter().all(|it| *it == 0.0), times, parts) {
+            (true, ..) => String::new(),
+            _ if are(-1.0) => text!("    the sign is wrong\n").to_owned(),
+            (_, Some(times), _) => text!("    {times} times as large\n", times),
+            (_, _, Some(times)) => text!("    divided by {times}\n", times),
+            _ => String::new(),
+        }
     }
 }
 

@@ -10,7 +10,6 @@ use crate::said::told;
 use crate::symbol::*;
 use common::Color;
 use common::Ray;
-use show::Setting;
 
 #[rustfmt::skip]
 pub(crate) const LIT: &[Mistake] = mistakes! {
@@ -135,12 +134,6 @@ pub(crate) const LIT: &[Mistake] = mistakes! {
                 let of = |name| settings.iter().filter(move |it| it.control.name == name);
                 let pairs = of("k_a").zip(of("k_d"));
                 pairs.map(|(k_a, k_d)| (k_a.name.clone(), 0.1 * k_d.control.value)).collect()
-            });
-        "k_a begins as k_d itself, not as a tenth of it" =>
-            set(|settings| {
-                let begins = |it: &&Setting| it.control.name == "k_a" && !it.changed;
-                let all = settings.iter().filter(begins);
-                all.map(|it| (it.name.clone(), 10.0 * it.control.value)).collect()
             });
         "The ambient term is grey: k_a has the surface's colour" =>
             told(|_| K_A(_) => Color::splat(0.1));

@@ -165,6 +165,7 @@ pub use shown::Shown;
 pub use sight::Sight;
 pub use sight::Stroke;
 pub use sight::first_hit;
+pub use vectors::INKED;
 pub use vectors::Mark;
 pub use vectors::MarkShape;
 pub use vectors::drag;

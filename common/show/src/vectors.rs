@@ -36,6 +36,9 @@ pub fn symbol_ink(symbol: &str) -> Option<Ink> {
     })
 }
 
+/// Symbols of all colours.
+pub const INKED: [&str; 8] = ["n", "l", "v", "h", "d", "α", "β", "γ"];
+
 /// What a step calls the ray that ends at a light, or before it where the light is blocked.
 const SHADOW_RAY: &str = "shadow ray's d";
 

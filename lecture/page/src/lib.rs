@@ -324,6 +324,7 @@ fn state(desk: &Desk, spoken: Language) -> State {
         groups: groups.collect(),
         address: desk.address(spoken),
         pin: desk.pinned().map(|pixel| (pixel.col, pixel.row)),
+        hit: desk.hit().map(|group| group.name),
         layers,
         marked: show::is_marked(desk),
         vectors: desk.vectors(),

@@ -175,6 +175,8 @@ pub(crate) struct State {
     pub(crate) groups: Vec<Group>,
     pub(crate) address: String,
     pub(crate) pin: Option<(usize, usize)>,
+    /// What is seen there, if it has controls of its own.
+    pub(crate) hit: Option<&'static str>,
     /// The pictures that are wanted: `now`, `before` or both.
     pub(crate) layers: Vec<&'static str>,
     /// Whether something lies over them.

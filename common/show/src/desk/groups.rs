@@ -3,6 +3,7 @@
 use super::Desk;
 use crate::Setting;
 use crate::text;
+use crate::vectors::hit_object;
 
 const CAMERA: &str = "camera";
 
@@ -27,6 +28,12 @@ impl Group {
 }
 
 impl Desk {
+    /// What is seen in the pinned pixel, if it has controls of its own.
+    pub fn hit(&self) -> Option<Group> {
+        let hit = hit_object(&self.explanation()?)?;
+        self.groups().into_iter().find(|group| group.kind.is_some() && group.name == hit)
+    }
+
     /// All controls by object, or by stretch of the lecture where they are no object's. Where the
     /// step has added some stands first, the camera last.
     pub fn groups(&self) -> Vec<Group> {

@@ -43,6 +43,11 @@ impl Workspace {
         }
     }
 
+    /// The folder.
+    pub fn root(&self) -> &Path {
+        &self.root
+    }
+
     /// The steps' names, in order.
     pub fn steps(&self) -> Vec<String> {
         steps_in(&self.root)

@@ -4,10 +4,12 @@ use std::mem;
 
 use super::Session;
 use super::layout::Layout;
+use super::row::Fold;
 use super::row::Target;
 use crate::Act;
 use crate::Compare;
 use crate::Effect;
+use crate::Group;
 use crate::Handle;
 use crate::over::point_at;
 use crate::pointed::line_at;
@@ -82,6 +84,20 @@ impl Session {
                 }
             }
             _ => {}
+        }
+    }
+
+    /// Keys act on the controls of what is seen in the pinned pixel, if it has some of its own.
+    pub(super) fn select_hit(&mut self) {
+        let Some(Group { name, settings, .. }) = self.desk.hit() else { return };
+        let mut targets = settings.into_iter().map(|setting| Target::Control(setting.name));
+        if targets.clone().any(|target| self.selected.as_ref() == Some(&target)) {
+            return;
+        }
+        self.fold(Fold::Controls(name), true);
+        self.selected = targets.next();
+        if let (Some(panel), Some(selected)) = (self.controls(), &self.selected) {
+            self.scroll = panel.scroll_to(selected);
         }
     }
 

@@ -345,6 +345,7 @@ impl Session {
     fn pin(&mut self, at: (f32, f32)) {
         let first = self.desk.pin().is_none();
         self.act(Act::Pin(self.part(at)));
+        self.select_hit();
         if first && self.desk.pin().is_some() {
             self.unfold();
             self.scroll_reading();
