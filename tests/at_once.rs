@@ -67,6 +67,45 @@ fn all_hits_are_read_without_scrolling_and_misses_are_one_line() {
 }
 
 #[test]
+fn keys_walk_down_the_panel_and_unfold_what_they_come_to() {
+    Language::ENGLISH.speak();
+    let mut session = Session::new(Desk::new(programs(), 6));
+    session.handle(Event::Resize(size(1280, 720)));
+    click(&mut session, (0.48, 0.46));
+    let chosen = |session: &Session| session.desk().line().cloned().expect("a line");
+    let mut walked = Vec::new();
+    loop {
+        key(&mut session, Key::Char('J'));
+        let line = chosen(&session);
+        if walked.contains(&line) {
+            break;
+        }
+        let told = session.desk().explanation().expect("it is pinned");
+        let told = told.last_told(&line).map(|line| typeset(line).key()).expect("a told line");
+        let read = session.read_at_once();
+        assert!(read.contains(&told), "{line:?} is not seen: {read:#?}");
+        walked.push(line);
+    }
+    // What is new comes first, and what a light has from before after it, folded or not.
+    assert_eq!(walked[0].equation, "h = (v + l) / ‖v + l‖");
+    let place = |equation: &str| walked.iter().position(|line| line.equation == equation);
+    assert!(place("L_s = k_s (I/r²) max(0, n·h)^p") < place("V"), "{walked:?}");
+    assert!(place("V") < place("t_max = t") && place("t_max = t") < place("d"), "{walked:?}");
+    key(&mut session, Key::Char('K'));
+    assert_eq!(Some(chosen(&session)), walked.last().cloned());
+}
+
+#[test]
+fn a_pixel_without_what_the_step_adds_says_so_and_opens_a_light() {
+    // The floor, which is matte.
+    let read = read(programs(), 6, size(1280, 720), (0.3, 0.9));
+    assert!(read.iter().any(|row| row.contains("not computed")), "{read:#?}");
+    assert!(!read.iter().any(|row| row == "𝐡"), "{read:#?}");
+    let light = read.iter().find(|row| row.starts_with("1 · key light")).expect("a light");
+    assert_eq!(light, "1 · key light", "it is open");
+}
+
+#[test]
 fn each_equation_of_the_slides_is_in_its_step() {
     for language in Language::all() {
         language.speak();

@@ -1,13 +1,17 @@
-//! A browser without a screen, driven as a hand would.
+//! A browser without a screen, driven as a hand would: the one that `BROWSER` names, or Chromium.
 
+use std::env;
 use std::io::BufRead;
 use std::io::BufReader;
 use std::io::Read;
 use std::io::Write;
+use std::net::TcpListener;
 use std::net::TcpStream;
 use std::process::Child;
 use std::process::Stdio;
 use std::sync::LazyLock;
+use std::thread;
+use std::time::Duration;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -28,7 +32,23 @@ pub(crate) const DRAWN: &str = "(function look() {
     else requestAnimationFrame(look);
 })()";
 
-/// Chromium, and the program that drives it.
+/// Whose browser it is.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub(crate) enum Maker {
+    Chromium,
+    Firefox,
+    /// What Safari is made of.
+    WebKit,
+}
+
+pub(crate) static MAKER: LazyLock<Maker> = LazyLock::new(|| match env::var("BROWSER").as_deref() {
+    Err(_) | Ok("chromium") => Maker::Chromium,
+    Ok("firefox") => Maker::Firefox,
+    Ok("webkit") => Maker::WebKit,
+    Ok(other) => panic!("BROWSER={other}: chromium, firefox or webkit"),
+});
+
+/// A browser, and the program that drives it.
 pub(crate) struct Browser {
     driver: Child,
     port: u16,
@@ -43,25 +63,44 @@ impl Browser {
 
     /// A browser whose user likes these languages, the first one most.
     pub(crate) fn speaking(languages: &str, width: u32, height: u32) -> Self {
-        let mut driver = start("chromedriver")
-            .arg("--port=0")
-            .stdout(Stdio::piped())
-            .stderr(Stdio::null())
-            .spawn()
-            .expect("chromedriver runs: apt-get install chromium chromium-driver");
-        let lines = BufReader::new(driver.stdout.take().expect("it is piped")).lines();
-        let mut ports = lines.map_while(Result::ok).filter_map(|line| {
-            line.split("successfully on port ").nth(1)?.trim_end_matches('.').parse().ok()
-        });
-        let port = ports.next().expect("chromedriver says its port");
-        let mut browser = Self { driver, port, session: String::new() };
         // Whoever is root has no sandbox; what is opened is our own.
         let arguments = ["--headless=new", "--no-sandbox", "--hide-scrollbars"];
-        let wish = json!({"capabilities": {"alwaysMatch": {
-            "goog:loggingPrefs": {"browser": "ALL"},
-            "goog:chromeOptions": {"args": arguments, "prefs": {"intl.accept_languages": languages}},
-        }}});
-        let session = browser.ask("POST", "/session", &wish);
+        let preferred = json!({"intl.accept_languages": languages});
+        let (program, wish) = match *MAKER {
+            Maker::Chromium => (
+                "chromedriver",
+                json!({
+                    "goog:loggingPrefs": {"browser": "ALL"},
+                    "goog:chromeOptions": {"args": arguments, "prefs": preferred},
+                }),
+            ),
+            Maker::Firefox => (
+                "geckodriver",
+                json!({"moz:firefoxOptions": {"args": ["-headless"], "prefs": preferred}}),
+            ),
+            Maker::WebKit => ("WebKitWebDriver", json!({})),
+        };
+        let free = TcpListener::bind(("127.0.0.1", 0)).expect("a port is free");
+        let port = free.local_addr().expect("it has an address").port();
+        drop(free);
+        let mut driver = start(program);
+        if *MAKER == Maker::WebKit {
+            // It has no way to be without a screen.
+            driver.envs(env::var("DISPLAY").map(|display| ("DISPLAY", display)));
+        }
+        let driver = driver
+            .arg(format!("--port={port}"))
+            .env("LC_ALL", format!("{}.UTF-8", languages[..2].to_owned()))
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap_or_else(|error| panic!("{program} runs, which .ci/page installs: {error}"));
+        while TcpStream::connect(("127.0.0.1", port)).is_err() {
+            thread::sleep(Duration::from_millis(10));
+        }
+        let mut browser = Self { driver, port, session: String::new() };
+        let session =
+            browser.ask("POST", "/session", &json!({"capabilities": {"alwaysMatch": wish}}));
         browser.session = format!("/session/{}", text(&session["sessionId"]));
         browser.resize(width, height);
         browser
@@ -71,7 +110,8 @@ impl Browser {
     fn ask(&self, method: &str, path: &str, body: &Value) -> Value {
         let mut stream = TcpStream::connect(("127.0.0.1", self.port)).expect("the driver listens");
         let body = if method == "POST" { body.to_string() } else { String::new() };
-        let head = format!("{method} {path} HTTP/1.1\r\nHost: localhost\r\nContent-Length: ");
+        let host = format!("127.0.0.1:{}", self.port);
+        let head = format!("{method} {path} HTTP/1.1\r\nHost: {host}\r\nContent-Length: ");
         let question = format!("{head}{}\r\n\r\n{body}", body.len());
         stream.write_all(question.as_bytes()).expect("the driver reads");
         // It keeps the connection, so the end is where the head says.
@@ -122,6 +162,14 @@ impl Browser {
     }
 
     pub(crate) fn resize(&self, width: u32, height: u32) {
+        if *MAKER != Maker::Chromium {
+            // What is around the page belongs to the window.
+            let rest = self.run("return [outerWidth - innerWidth, outerHeight - innerHeight]");
+            let around = |side: u32, at: usize| f64::from(side) + rest[at].as_f64().unwrap_or(0.0);
+            let size = json!({"width": around(width, 0), "height": around(height, 1)});
+            self.post("/window/rect", &size);
+            return;
+        }
         let metrics = json!({"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 500});
         self.tell("Emulation.setDeviceMetricsOverride", &metrics);
     }
@@ -137,14 +185,28 @@ impl Browser {
         self.post("/url", &json!({"url": address}));
     }
 
+    /// What `script` returns, or the error that it throws.
     pub(crate) fn run(&self, script: &str) -> Value {
-        self.post("/execute/sync", &json!({"script": script, "args": []}))
+        let tried = format!("done((() => {{ {script}\n }})())");
+        self.wait_for(&format!("try {{ {tried} }} catch (error) {{ done(`${{error}}`) }}"))
     }
 
-    /// What `script` hands to `done`.
+    /// What `script` hands to `done`. It is one of the page's own: those of Firefox's driver see none of
+    /// what the page calls by name.
     pub(crate) fn wait_for(&self, script: &str) -> Value {
-        let script = format!("const done = arguments[0]; {script}");
-        self.post("/execute/async", &json!({"script": script, "args": []}))
+        let own = format!(
+            "{{ const done = (value = null) =>
+                document.dispatchEvent(new CustomEvent('done', {{ detail: JSON.stringify(value) }}));
+            {script}\n }}"
+        );
+        let begin = "const [text, answer] = arguments;
+            document.addEventListener('done', ({ detail }) => answer(detail), { once: true });
+            const own = document.createElement('script');
+            own.textContent = text;
+            document.documentElement.append(own);
+            own.remove();";
+        let answer = text(&self.post("/execute/async", &json!({"script": begin, "args": [own]})));
+        serde_json::from_str(&answer).expect("an answer in JSON")
     }
 
     pub(crate) fn wait_until(&self, condition: &str) {
@@ -154,6 +216,14 @@ impl Browser {
 
     pub(crate) fn text(&self, script: &str) -> String {
         text(&self.run(script))
+    }
+
+    /// What the page says was copied, or is to be by hand, once this was pressed.
+    pub(crate) fn copied(&self, id: &str) -> String {
+        self.run(&format!("notice(); $('{id}').click()"));
+        self.wait_until("!$('notice').hidden");
+        let said = self.text("return $('notice').textContent");
+        said.split_once(": ").expect("it says what was copied").1.to_owned()
     }
 
     /// Hands on the pointer or keyboard: see `Actions` of the WebDriver standard.
@@ -190,17 +260,20 @@ impl Browser {
         image::load_from_memory(&png).expect("a PNG").to_rgb8()
     }
 
-    /// Nothing is in the console, of errors and warnings.
+    /// Nothing is in the console, of errors and warnings, as far as the browser tells.
     #[track_caller]
     pub(crate) fn is_quiet(&self) {
+        if *MAKER != Maker::Chromium {
+            return;
+        }
         assert_eq!(self.post("/se/log", &json!({"type": "browser"})), json!([]));
     }
 }
 
 impl Drop for Browser {
     fn drop(&mut self) {
-        // With a slash at its end the browser would be left behind.
-        if !std::thread::panicking() {
+        // With a slash at its end the browser would be left behind. Chromium goes with its driver.
+        if !std::thread::panicking() || *MAKER != Maker::Chromium {
             self.ask("DELETE", &self.session, &Value::Null);
         }
         let _ = self.driver.kill();

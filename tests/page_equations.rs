@@ -65,9 +65,7 @@ fn draw_the_sheet() {
         canvas.fill(Area::new(0.0, top, (2 * left + right) as f32, 1.0), Ink::grey(90));
         browser.show(&format!("#{}&pixel=440,200", &name[..6]));
         browser.unfold();
-        browser.run(&format!(
-            "document.querySelectorAll('#formula .math > div')[{place}].id = 'drawn'"
-        ));
+        browser.run(&format!("formula().querySelectorAll('.math > div')[{place}].id = 'drawn'"));
         put(&mut sheet, &browser.photo("#drawn"), (2 * left, row as u32 * ROW), right);
     }
     sheet.save(&file).expect("it is written");

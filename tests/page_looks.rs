@@ -141,6 +141,7 @@ fn a_click_on_a_line_shows_it_and_on_its_question_mark_alters_it() {
     assert_eq!(seen(), json!([true, true, "false"]));
     assert!(browser.canvas("#now") == plain);
     click("");
+    browser.run(&format!("{line}.focus({{ preventScroll: true }})"));
     browser.key("keyDown", "\u{e00c}");
     assert_eq!(seen(), json!([true, true, "false"]));
     click(".closest('div').querySelector('.ask button')");
@@ -154,9 +155,8 @@ fn a_click_on_a_line_shows_it_and_on_its_question_mark_alters_it() {
     let dark = browser.canvas("#now");
     assert!(dark != plain);
     // Who follows the link sees the same.
-    let link = browser.text("$('link').click(); return $('notice').textContent");
-    let link = link.split_once(": ").expect("it says what was copied").1;
-    browser.open(link);
+    let link = browser.copied("link");
+    browser.open(&link);
     browser.wait_for(DRAWN);
     assert!(browser.canvas("#now") == dark, "{link}");
     browser.is_quiet();

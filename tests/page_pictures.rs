@@ -157,11 +157,18 @@ fn what_the_browser_lacks_is_done_without() {
     let browser = Browser::new(1280, 800);
     browser.before_each_page("delete window.Worker");
     is_committed(&browser, STEPS[6], "perspective");
+    // What is not copied is not said to be.
+    for (copies, said) in [(true, "Copied: "), (false, "To copy by hand: ")] {
+        browser.run(&format!("document.execCommand = () => {copies}; navigator.clipboard.writeText = () => Promise.reject()"));
+        browser.copied("link");
+        assert!(browser.text("return $('notice').textContent").starts_with(said), "{said}");
+    }
     browser.before_each_page("delete window.WebAssembly");
     browser.open(&format!("file://{}", PAGE.display()));
     browser.wait_until("!$('broken').hidden");
     let seen = "return document.querySelectorAll('article[lang=en]:not([hidden])').length";
-    assert_eq!(browser.run(seen), json!(STEPS.len()));
+    // The cover is one, too.
+    assert_eq!(browser.run(seen), json!(1 + STEPS.len()));
     let notice = browser.text("$('language').click(); return $('broken').textContent");
     assert!(notice.starts_with("As imagens não podem"), "{notice}");
     assert_eq!(browser.run(seen), json!(0));

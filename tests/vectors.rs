@@ -157,10 +157,10 @@ fn draw_over(
     let camera = |view: &View| view.camera(area.width / area.height);
     if let Some(onlooker) = onlooker {
         let outside = Outside { step, view, onlooker: &*camera(onlooker), area };
-        outside.draw(canvas, told, handles, 11.0);
+        outside.draw(canvas, told, handles, 11.0, None);
     } else {
         let sight = Sight { step, camera: &*camera(view), area };
-        draw_vectors(canvas, sight, told, handles, 11.0);
+        draw_vectors(canvas, sight, told, handles, 11.0, None);
     }
 }
 
@@ -221,6 +221,47 @@ fn all_is_drawn_within_the_area_from_everywhere_wherever_lights_and_objects_are(
 /// The pixel whose rays are looked at in each step, as (u, v).
 const PINNED: [(f32, f32); 7] =
     [(0.55, 0.6), (0.54, 0.63), (0.52, 0.5), (0.6, 0.4), (0.42, 0.54), (0.34, 0.36), (0.42, 0.54)];
+
+#[test]
+fn labels_keep_off_each_other_the_divider_and_the_edge() {
+    let mut wrong = Vec::new();
+    let languages: Vec<Language> = Language::all().collect();
+    for (index, (u, v)) in PINNED.into_iter().enumerate() {
+        let places = [(u, 1.0 - v), (0.5, 0.46), (0.42, 0.6), (0.72, 0.5), (0.2, 0.9)];
+        for (place, language) in
+            places.into_iter().flat_map(|at| languages.iter().map(move |it| (at, it)))
+        {
+            for outside in [false, true] {
+                let acts = [Act::Pin(place)].into_iter().chain(outside.then_some(Act::Outside));
+                let mut desk = after(Desk::new(programs(), index), &acts.collect::<Vec<_>>());
+                language.speak();
+                if index > 0 {
+                    act(&mut desk, Act::DivideAt(0.49));
+                }
+                for (width, height) in [(782, 440), (1173, 660), (2346, 1320)] {
+                    let mut picture = RgbImage::new(width, height);
+                    let mut canvas = Canvas::new(&mut picture);
+                    let area = Area::new(0.0, 0.0, width as f32, height as f32);
+                    let size = 0.063 * area.height;
+                    let labels = draw_marks(&desk, &mut canvas, area, size);
+                    let least = 0.1 * size * size;
+                    let divider = Area::new(0.49 * area.width - 2.0, 0.0, 4.0, area.height);
+                    for (place, label) in labels.iter().enumerate() {
+                        let mut others = labels[..place].iter();
+                        let covers = others.any(|other| label.shared(*other) > least);
+                        let cut = label.shared(area) < 0.99 * label.width * label.height;
+                        let divided = index > 0 && label.shared(divider) > 0.0;
+                        if covers || cut || divided {
+                            wrong.push(format!("{} {u},{v} outside {outside}, {width}: {covers} {cut} {divided} {label:?}", STEPS[index]));
+                        }
+                    }
+                }
+            }
+        }
+    }
+    Language::ENGLISH.speak();
+    none(wrong);
+}
 
 #[test]
 fn they_are_the_committed_pictures() {

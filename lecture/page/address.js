@@ -15,6 +15,8 @@ function open(address) {
   passing = !address;
   act({ open: decoded(address || "#step07") });
   if (!address) pass();
+  // Who leads the class has the keys at once.
+  if (state.stop) $("picture").focus({ preventScroll: true });
 }
 
 let written = "";

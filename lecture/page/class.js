@@ -1,9 +1,7 @@
 // The class: its stops, from slide to slide.
 
-/** Tells the program and its workers of the stops. */
-function readTours() {
-  change({ tours: JSON.parse($("tours").textContent) });
-}
+/** What is read of each stop, in each language. */
+let tours = null;
 
 /** How long the pictures are on their way from one stop to the next. */
 const GLIDE_MS = 250;

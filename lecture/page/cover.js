@@ -10,7 +10,7 @@ function pass() {
   const along = Number($("passage").value);
   const step = Math.max(1, Math.ceil(along));
   passing = true;
-  if (state.step !== step) moved({ step });
+  if (state.step !== step) act({ step });
   if (step > 1) moved({ divideAt: step - along });
   passing = false;
   showPassage();

@@ -53,6 +53,7 @@ function refreshSoon() {
 /** The picture is at rest: so is all beside it. */
 function settle() {
   if (refreshing) refresh(true);
+  describe();
 }
 
 /** Reads what the steps' program holds now, and shows it; another step can be come back from. */
@@ -69,6 +70,7 @@ function refresh(keeps) {
   if (showControls() || other) choose(selected());
   showStage();
   explain();
+  showGist();
   showCode();
   showClass();
   showOffers();

@@ -1,13 +1,15 @@
-// Hands on the picture: they turn it, zoom, drag points and pin pixels.
+// Hands on the picture and on sliders: they turn, zoom, drag points, pin pixels, and scroll past.
 
 /** The hands, by their pointers. */
 const pointers = new Map();
-/** How far they have been dragged, in pixels of the screen. */
-let dragged = 0;
+/** Where the first of them went down, and what it means by now: to turn, or something else; or null. */
+let [began, turns] = [null, null];
 /** The handle that is held. */
 let grabbed = null;
 /** Where a pointer was last over the picture, if it is there. */
 let pointed = null;
+/** Whether the picture has the focus by a click: then the wheel is its, too. */
+let entered = false;
 
 /** Where a pointer is on the picture, as shares of its width and height, from the upper left. */
 function share(event) {
@@ -20,6 +22,16 @@ function grab(event) {
   return asked({ grab: { at: share(event), reach } });
 }
 
+/**
+ * Whether a pointer that went from one place to another means to go sideways; null as long as it may have
+ * gone nowhere. A finger that goes up or down means the page, and the browser scrolls that.
+ */
+function sideways(from, to) {
+  const [right, down] = [to.clientX - from.clientX, to.clientY - from.clientY].map(Math.abs);
+  const mouse = to.pointerType === "mouse";
+  return Math.max(right, down) < (mouse ? 4 : 8) ? null : mouse || right >= down;
+}
+
 function spread() {
   const [a, b] = [...pointers.values()];
   return Math.max(1, Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY));
@@ -28,9 +40,12 @@ function spread() {
 function down(event) {
   if (event.button) return;
   $("picture").setPointerCapture(event.pointerId);
+  $("picture").focus({ preventScroll: true });
+  entered = true;
   pointers.set(event.pointerId, event);
   const first = pointers.size === 1;
-  dragged = first ? 0 : Infinity;
+  began = event;
+  turns = first ? null : false;
   grabbed = first ? grab(event) : null;
   $("picture").classList.add("grabbed");
 }
@@ -41,13 +56,12 @@ function move(event) {
   if (!last) return;
   const before = pointers.size === 2 && spread();
   pointers.set(event.pointerId, event);
-  const [right, down] = [event.clientX - last.clientX, event.clientY - last.clientY];
-  dragged += Math.abs(right) + Math.abs(down);
   if (before) moved({ zoom: before / spread() });
   else if (grabbed !== null) moved({ drag: [grabbed, share(event)] });
-  else if (pointers.size === 1 && dragged > 4) {
+  else if (turns ??= sideways(began, event)) {
     // Across the picture is half a turn, on any screen.
     const angle = 180 / $("picture").clientWidth;
+    const [right, down] = [event.clientX - last.clientX, event.clientY - last.clientY];
     moved({ orbit: [-right * angle, down * angle] });
   }
 }
@@ -55,10 +69,24 @@ function move(event) {
 function up(event) {
   if (!pointers.delete(event.pointerId) || pointers.size) return;
   $("picture").classList.remove("grabbed");
-  if (event.type === "pointerup" && dragged <= 4 && grabbed === null) pinAt(share(event));
+  if (event.type === "pointerup" && turns === null && grabbed === null) pinAt(share(event));
 }
 
+/** What is held ends where nobody can know whether it still is. */
+function letGo() {
+  if (state.holding) press("a", false);
+  pointers.clear();
+  $("picture").classList.remove("grabbed");
+}
+
+/** A finger scrolls, unless it holds something or is one of several. */
+function touched(event) {
+  if (grabbed !== null || event.touches.length > 1) event.preventDefault();
+}
+
+/** The wheel scrolls, unless it is meant for the picture. */
 function turned(event) {
+  if (!event.ctrlKey && !entered) return;
   event.preventDefault();
   moved({ zoom: Math.exp(Math.max(-1, Math.min(1, event.deltaY / 500))) });
 }
@@ -67,10 +95,42 @@ function turned(event) {
 function typed(event) {
   const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
   const [right, below] = way[event.key] || [];
-  if (right === undefined || event.ctrlKey || event.altKey || event.metaKey) return;
+  if (right === undefined || state.listed || event.ctrlKey || event.altKey || event.metaKey) return;
   event.preventDefault();
   if (event.shiftKey) act({ movePin: [right, below] });
   else moved({ orbit: [5 * right, -5 * below] });
+}
+
+/** A finger on a slider: where it went down, and what the slider was before; null once it slides. */
+let touching = null;
+
+function slide() {
+  const { target } = touching;
+  touching = null;
+  target.dispatchEvent(new Event("input"));
+}
+
+/** A finger that goes up or down past a slider leaves it as it is; a tap, or one going sideways, moves it. */
+function sliders() {
+  const on = (name, done) => document.addEventListener(name, done, true);
+  on("pointerdown", (event) => {
+    const { target, pointerType, clientX, clientY } = event;
+    const meant = pointerType === "mouse" || target.type !== "range";
+    touching = meant ? null : { target, value: target.value, clientX, clientY };
+  });
+  on("input", (event) => {
+    if (touching && event.target === touching.target) event.stopPropagation();
+  });
+  on("pointermove", (event) => {
+    if (touching && sideways(touching, event)) slide();
+  });
+  for (const end of ["pointerup", "pointercancel"])
+    on(end, (event) => {
+      if (!touching) return;
+      if (end === "pointerup" && sideways(touching, event) === null) return slide();
+      touching.target.value = touching.value;
+      touching = null;
+    });
 }
 
 function hands() {
@@ -80,6 +140,11 @@ function hands() {
   picture.addEventListener("pointerup", up);
   picture.addEventListener("pointercancel", up);
   picture.addEventListener("pointerleave", () => { pointed = null; });
+  picture.addEventListener("touchstart", touched, { passive: false });
   picture.addEventListener("wheel", turned, { passive: false });
   picture.addEventListener("keydown", typed);
+  picture.addEventListener("blur", () => { entered = false; });
+  addEventListener("blur", letGo);
+  document.addEventListener("visibilitychange", letGo);
+  sliders();
 }

@@ -71,13 +71,19 @@ function enlarge(factor) {
   show();
 }
 
+/** Whether what had the focus last belongs to the picture; it may be no more. */
+let within = false;
+
 /** Whether a key is the browser's, or that of what has the focus. */
 function isKept({ key, target, ctrlKey, altKey, metaKey }) {
   if (ctrlKey || altKey || metaKey || key === "Tab") return true;
+  // Whoever reads has all keys; here they act on the picture, and on what belongs to it.
+  const here = target === document.body ? within : target.closest(".live");
+  if (!here && !state.alone && !state.blank) return true;
   if (/^(Enter| )$/.test(key) && target.matches("a, button, summary, select, [type=checkbox]"))
     return true;
   // Who reads with the keyboard turns pages there, and what has its own ways keeps them.
-  return Boolean(target.closest("#handouts, #below, #divider"))
+  return Boolean(target.closest("#handouts, #divider, #pixel, #code, #keys"))
     && /^(Arrow|Page|Home|End|Enter| )/.test(key);
 }
 
@@ -87,13 +93,17 @@ function keys() {
     if (press(event.key, true, event.shiftKey)) event.preventDefault();
   });
   document.addEventListener("keyup", (event) => press(event.key, false));
-  // What is held down elsewhere is not known.
-  addEventListener("blur", () => press("a", false));
-  // A click leaves the keys with the control that they act on.
+  // A click leaves the keys with the control that they act on, or gives them to the picture.
   document.addEventListener("mousedown", (event) => {
-    if (!event.target.closest("#picture, button, summary")) return;
+    within = false;
+    if (!event.target.closest("#view button, #sliders button, :is(#controls, #answers) summary")) return;
     event.preventDefault();
-    if (!document.activeElement.closest("#controls, #answers")) document.activeElement.blur();
+    within = true;
+    if (!document.activeElement.closest("#controls, #answers"))
+      $("picture").focus({ preventScroll: true });
+  });
+  document.addEventListener("focusin", ({ target }) => {
+    within = Boolean(target.closest(".live"));
   });
   for (const way of ["focusin", "click"])
     document.addEventListener(way, ({ target }) => {

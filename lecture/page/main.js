@@ -6,7 +6,7 @@ $("language").onclick = () => (ask ? act({ language: next() }) : speak(next()));
 document.documentElement.classList.add("runs");
 start().then(() => {
   change({ do: { language } });
-  readTours();
+  change({ tours });
   indent();
   hands();
   buttons();

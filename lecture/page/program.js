@@ -43,10 +43,14 @@ function bytesOf(text) {
   return bytes;
 }
 
+/** What the page has packed under this name. */
+const unpacked = (id) => new Response(
+  new Blob([bytesOf($(id).textContent)]).stream().pipeThrough(new DecompressionStream("gzip")));
+
 async function start() {
-  const unpacked = new Blob([bytesOf($("wasm").textContent)]).stream()
-    .pipeThrough(new DecompressionStream("gzip"));
-  const module = await WebAssembly.compile(await new Response(unpacked).arrayBuffer());
+  const module = await WebAssembly.compile(await unpacked("wasm").arrayBuffer());
   ask = asker(await WebAssembly.instantiate(module));
   hire(module);
+  tours = await unpacked("packed-tours").json();
+  $("licences").textContent = await unpacked("packed-licences").text();
 }

@@ -27,7 +27,8 @@ function look({ target, pointerType }) {
   }
   const place = target.closest("a.try");
   if (!place || pointerType !== "mouse" || holds(place)) return;
-  // Who only passes by does not mean it.
+  // A pixel tells what one is to guess. And who only passes by does not mean it.
+  if (place.dataset.address.includes("&pixel=")) return;
   looking = setTimeout(() => {
     const before = state.address;
     showOnly(place.dataset.address);
@@ -63,6 +64,8 @@ function offer() {
   for (const place of document.querySelectorAll("a.try")) {
     place.href = encoded(place.dataset.address);
     place.setAttribute("role", "button");
+    // Not every screen reader reads a formula.
+    place.setAttribute("aria-label", place.title.replace(/--(set|what-if|camera|pixel) /g, ""));
     place.setAttribute("aria-pressed", "false");
   }
   $("handouts").addEventListener("pointerover", look);
@@ -72,7 +75,8 @@ function offer() {
     take(event.target);
   });
   addEventListener("beforeprint", () => {
-    unfolded = [...document.querySelectorAll("article:not([hidden]) details:not([open])")];
+    const folded = "article:not([hidden]) :is(.try, .asks) details:not([open])";
+    unfolded = [...document.querySelectorAll(folded)];
     for (const fold of unfolded) fold.open = true;
   });
   addEventListener("afterprint", () => {

@@ -62,7 +62,7 @@ function drawLegend(canvas, size, text, altered) {
   fill(canvas, size, ask({ below: { size, text, altered } }));
 }
 
-/** The letters over the picture are as high as those beside it, however wide it is, and it is sharp. */
+/** The letters over the picture are as high as those beside it, however wide and sharp it is. */
 new ResizeObserver(() => {
   if (!state) return;
   showLegend();
@@ -156,6 +156,10 @@ function buttons() {
   });
   hold.addEventListener("contextmenu", (event) => event.preventDefault());
   $("divider").oninput = () => act({ divideAt: Number($("divider").value) });
+  $("all").onclick = () => {
+    $("pixel").scrollIntoView();
+    $("pinned").focus({ preventScroll: true });
+  };
   $("unpin").onclick = () => {
     // What is hidden cannot keep the focus.
     if (document.activeElement === $("unpin")) $("picture").focus({ preventScroll: true });

@@ -12,7 +12,7 @@ function showStep() {
   const essay = handout(state.step);
   const shown = covered ? $(`cover-${language}`) : essay;
   for (const link of $("steps").querySelectorAll("a")) {
-    const is = !covered && link.hash === `#step${two(state.step)}`;
+    const is = link.hash === (covered ? "" : `#step${two(state.step)}`);
     if (is) link.setAttribute("aria-current", "page");
     else link.removeAttribute("aria-current");
   }
@@ -23,7 +23,6 @@ function showStep() {
   if (covered) showPassage();
   const title = titleOf(state.step);
   document.title = covered ? $("name").textContent : `${title} · ${$("name").textContent}`;
-  $("now").setAttribute("aria-label", title);
 }
 
 /** Shows what is read; where another text was read `before`, begins at its top. */

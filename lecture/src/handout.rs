@@ -14,6 +14,11 @@ use pulldown_cmark::Parser;
 use pulldown_cmark::Tag;
 use pulldown_cmark::TagEnd;
 use pulldown_cmark::html;
+use show::Letters;
+use show::Prose;
+use show::mathml;
+use show::plain;
+use show::prose;
 use show::text;
 
 use crate::equation;
@@ -128,12 +133,12 @@ fn titled(html: &str) -> String {
     html.replace('«', "<i lang=\"pt\">«").replace('»', "»</i>")
 }
 
-/// `html` with what stands in its text as `k_d` written with an index; code is as it is, and so is a
+/// `html` with what stands in its text as `k_d` set, and vectors too; code is as it is, and so is a
 /// name of more than one letter, such as that of a file.
 fn with_indices(html: &str) -> String {
     let mut pieces = html.split('<');
     let mut indexed = pieces.next().unwrap_or_default().to_owned();
-    let mut code = 0_usize;
+    let (mut code, mut vector) = (0_usize, "");
     for piece in pieces {
         // In an equation a `<` may be a sign of its own.
         let Some((tag, mut text)) = piece.split_once('>') else {
@@ -145,18 +150,31 @@ fn with_indices(html: &str) -> String {
             Some("/code" | "/pre" | "/a") => code = code.saturating_sub(1),
             _ => {}
         }
-        let _ = write!(indexed, "<{tag}>");
-        while let Some((before, after)) = text.split_once('_').filter(|_| code == 0) {
-            let end = after.find(|next: char| !next.is_alphabetic()).unwrap_or(after.len());
-            let (index, rest) = after.split_at(end);
-            let mut letters = before.chars().rev().take_while(|letter| letter.is_alphabetic());
-            let _ = match (letters.next(), letters.next()) {
-                (Some(_), None) => write!(indexed, "{before}<sub>{index}</sub>"),
-                _ => write!(indexed, "{before}_{index}"),
-            };
-            text = rest;
+        // A letter that is bold is a vector's.
+        if tag == "strong" && text.chars().count() == 1 {
+            vector = text;
+            continue;
         }
-        indexed.push_str(text);
+        if tag == "/strong" && !vector.is_empty() {
+            let rest = text.strip_prefix('_').unwrap_or(text);
+            let index = rest.find(|next: char| !next.is_alphabetic()).unwrap_or(rest.len());
+            let end = if rest == text { 0 } else { 1 + index };
+            let name = format!("{vector}{}", &text[..end]);
+            indexed.push_str(&mathml(&plain(&name, Letters::Vector), false, &mut |_, _| None));
+            (vector, text) = ("", &text[end..]);
+        } else {
+            let _ = write!(indexed, "<{tag}>");
+        }
+        if code > 0 {
+            indexed.push_str(text);
+            continue;
+        }
+        for part in prose(text) {
+            match part {
+                Prose::Text(text) => indexed.push_str(&text),
+                Prose::Symbol(math) => indexed.push_str(&mathml(&math, false, &mut |_, _| None)),
+            }
+        }
     }
     indexed
 }
@@ -167,7 +185,7 @@ fn with_indices(html: &str) -> String {
 fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str, is_tried: bool) -> Vec<Event<'a>> {
     let mut events: Vec<Event<'a>> = Vec::new();
     let (mut links, mut code) = (Vec::new(), None);
-    let mut told = equation::told(name);
+    let (mut told, mut blocks) = (equation::told(name), 0_usize);
     // Where the paragraph begins, what is seen in the picture in it, and a figure's file and text.
     let mut paragraph = 0;
     let (mut image, mut alternative) = (false, String::new());
@@ -217,7 +235,10 @@ fn on_the_page<'a>(part: Vec<Event<'a>>, name: &str, is_tried: bool) -> Vec<Even
             Event::Html(html) | Event::InlineHtml(html)
                 if html.trim_start().starts_with("<!--") => {}
             Event::DisplayMath(latex) => {
-                events.push(Event::InlineHtml(equation::block(&latex, &mut told).into()));
+                // Behind our own forms stand those of the slides, which would say it all again.
+                let numbered = if blocks < 2 { &mut told[..] } else { &mut [] };
+                blocks += 1;
+                events.push(Event::InlineHtml(equation::block(&latex, numbered).into()));
             }
             Event::InlineMath(latex) => {
                 events.push(Event::InlineHtml(equation::inline(&latex).into()));

@@ -17,9 +17,11 @@ use image::DynamicImage;
 use jpeg_encoder::ColorType;
 use jpeg_encoder::Encoder;
 use jpeg_encoder::SamplingFactor;
+use show::INKED;
 use show::Language;
 use show::Tour;
 use show::Workspace;
+use show::symbol_ink;
 use show::text;
 
 use crate::PROGRAMS;
@@ -28,6 +30,7 @@ use crate::handout;
 use crate::handout::Handout;
 use crate::handout::Section;
 use crate::packed::packed;
+use crate::packed::without_unsaid;
 
 /// Pixels of a figure's picture, and what part of it a JPEG keeps: so that the page stays small.
 const STILL_WIDTH: u32 = 280;
@@ -57,6 +60,7 @@ const SCRIPT: &str = concat!(
     include_str!("../page/prose.js"),
     include_str!("../page/cover.js"),
     include_str!("../page/explanation.js"),
+    include_str!("../page/gist.js"),
     include_str!("../page/code.js"),
     include_str!("../page/desk.js"),
     include_str!("../page/controls.js"),
@@ -84,13 +88,17 @@ const LICENCES: [&str; 5] = [
 pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
     let workspace = Workspace::find()?;
     let root = workspace.root();
-    let wasm = packed(program)?;
+    let wasm = packed(&without_unsaid(program))?;
     let (mut links, mut articles) = (String::new(), String::new());
     let font = STANDARD.encode(FONT);
     let mut style = format!(
         "@font-face {{ font-family: Mathematics; src: url(data:font/woff2;base64,{font}); }}\n{}",
         include_str!("../page/style.css")
     );
+    for (name, ink) in INKED.into_iter().filter_map(|name| Some((name, symbol_ink(name)?))) {
+        let [r, g, b] = ink.rgb;
+        style.push_str(&format!("math .{name} {{ --ink: #{r:02x}{g:02x}{b:02x}; }}\n"));
+    }
     let spoken = Language::spoken();
     for language in Language::all() {
         // What is said besides the handouts is said in their language.
@@ -121,7 +129,7 @@ pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
     for program in PROGRAMS {
         let picture = format!("tests/pictures/{}_perspective.png", program.name);
         still(&root.join(picture), program.name, STEP_QUALITY, &mut style)?;
-        stills(&root.join(program.name).join("figures"), &mut style)?;
+        stills(&root.join(program.name).join("figures"), &articles, &mut style)?;
     }
     let template = include_str!("../page/index.html");
     let texts = texts(&[template, SCRIPT, &articles]);
@@ -133,9 +141,9 @@ pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
             ("texts", &texts),
             ("links", &links),
             ("articles", &articles),
-            ("licences", &escape(&LICENCES.join("\n"))),
+            ("licences", &packed(LICENCES.join("\n").as_bytes())?),
             ("wasm", &wasm),
-            ("tours", &page::tours(tours)?.replace("</", "<\\/")),
+            ("tours", &packed(page::tours(tours)?.as_bytes())?),
         ],
     ))
 }
@@ -167,7 +175,7 @@ fn without_comments(script: &str) -> String {
 
 /// The committed pictures in `folder`, small, as the grounds of the places for the figures: where
 /// nothing can be drawn, they remain. Those of one language, NAME.LANGUAGE.png, are not needed.
-fn stills(folder: &Path, style: &mut String) -> Result<()> {
+fn stills(folder: &Path, articles: &str, style: &mut String) -> Result<()> {
     // A step needs no figures.
     if !folder.exists() {
         return Ok(());
@@ -179,7 +187,7 @@ fn stills(folder: &Path, style: &mut String) -> Result<()> {
     paths.sort();
     for path in paths {
         let name = path.file_stem().unwrap_or_default().display().to_string();
-        if name.contains('.') {
+        if !articles.contains(&format!("data-figure=\"{name}\"")) {
             continue;
         }
         still(&path, &name, STILL_QUALITY, style)?;

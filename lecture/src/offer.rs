@@ -20,6 +20,8 @@ pub(crate) fn offer(name: &str, code: &str) -> Option<String> {
     let mut address = format!("#{}", name.get(..6)?);
     let mut words = code.split_whitespace();
     let mut labels: Vec<String> = Vec::new();
+    // Whose the next settings are.
+    let mut owner = String::new();
     while let Some(flag) = words.next() {
         let _ = match flag {
             "--set" => write!(address, "&{}", words.clone().next()?),
@@ -30,7 +32,17 @@ pub(crate) fn offer(name: &str, code: &str) -> Option<String> {
             _ => return None,
         };
         labels.push(match flag {
-            "--set" | "--what-if" => equal(words.next()?),
+            "--set" => {
+                let setting = words.next()?;
+                match setting.split_once('=') {
+                    Some(("light" | "sphere", name)) => {
+                        owner = format!("{name}.");
+                        continue;
+                    }
+                    _ => equal(&format!("{owner}{setting}")),
+                }
+            }
+            "--what-if" => equal(words.next()?),
             "--show" => formula(words.next()?),
             "--pixel" => format!("({})", escape(&words.next()?.replace(',', ", "))),
             "--outside" | "--curve" => escape(&flag[2..]),
@@ -38,6 +50,9 @@ pub(crate) fn offer(name: &str, code: &str) -> Option<String> {
         });
     }
     let title = escape(code);
+    // No line ends between a bracket and what stands in it.
+    let span = |label: &String| format!("<span>\u{2060}{label}</span>");
+    let labels: Vec<String> = labels.iter().map(span).collect();
     let (label, address) = (labels.join(", "), escape(&shown(name, &address)));
     let offer =
         format!("<a class=\"try\" data-address=\"{address}\" title=\"{title}\">{label}</a>");
@@ -47,8 +62,7 @@ pub(crate) fn offer(name: &str, code: &str) -> Option<String> {
 /// `light.x=-4` as an equation.
 fn equal(setting: &str) -> String {
     let (name, value) = setting.split_once('=').unwrap_or((setting, ""));
-    // It is not broken within.
-    format!("{}\u{a0}=\u{a0}{}", formula(name), escape(&value.replace('-', "−")))
+    format!("{} = {}", formula(name), escape(&value.replace('-', "−")))
 }
 
 fn formula(name: &str) -> String {

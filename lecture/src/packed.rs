@@ -1,4 +1,4 @@
-//! The steps' program as the page has it: without the texts that it never says, packed, in letters.
+//! What the page has packed, in letters; of the steps' program without the texts that it never says.
 
 use std::io;
 use std::io::Write as _;
@@ -16,19 +16,19 @@ macro_rules! catalogues {
 /// The translations that the program has in it: also of what only a command line says.
 const CATALOGUES: &[&str] = translations!(catalogues);
 
-/// The program, to be written into the page.
+/// Bytes, to be written into the page.
 ///
 /// # Errors
 ///
-/// When it cannot be packed.
-pub(crate) fn packed(program: &[u8]) -> io::Result<String> {
+/// When they cannot be packed.
+pub(crate) fn packed(bytes: &[u8]) -> io::Result<String> {
     let mut packed = GzEncoder::new(Vec::new(), Compression::best());
-    packed.write_all(&without_unsaid(program))?;
+    packed.write_all(bytes)?;
     Ok(letters(&packed.finish()?))
 }
 
 /// The program with nothing in place of a translation whose English it does not have in it.
-fn without_unsaid(program: &[u8]) -> Vec<u8> {
+pub(crate) fn without_unsaid(program: &[u8]) -> Vec<u8> {
     let mut program = program.to_vec();
     for catalogue in CATALOGUES {
         let length = catalogue.len();

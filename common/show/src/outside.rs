@@ -132,11 +132,12 @@ impl Outside<'_> {
     /// Draws all of it over the picture of the step from the onlooker's camera, which is in
     /// `area` already; with what `explanation` tells, and `handles`.
     ///
-    /// Letters are `text_size` high, in pixels, as [`Font`](crate::Font) tells.
+    /// Letters are `text_size` high, in pixels, as [`Font`](crate::Font) tells. No label is `across`, if
+    /// it can be helped; where all are.
     pub fn draw(
         &self, canvas: &mut Canvas<'_>, explanation: Option<&Explanation>, handles: &[Handle],
-        text_size: f32,
-    ) {
+        text_size: f32, across: Option<Area>,
+    ) -> Vec<Area> {
         let Area { width, height, .. } = self.area;
         let aspect = width / height;
         let camera = self.view.camera(aspect);
@@ -158,6 +159,7 @@ impl Outside<'_> {
             canvas.fill(self.area, EMPTY);
         }
         let mut pen = Pen::new(canvas, sight, text_size);
+        across.into_iter().for_each(|area| pen.keep(area));
         if !told("illumination") {
             draw_ground(&mut pen);
         }
@@ -179,7 +181,7 @@ impl Outside<'_> {
         if let Some(highest) = corners.iter().min_by(|a, b| height(a).total_cmp(&height(b))) {
             pen.label(*highest, FRAME, text!("window"));
         }
-        pen.finish();
+        pen.finish()
     }
 
     /// The frame, the pixels, and the picture on them.

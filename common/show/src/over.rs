@@ -31,25 +31,35 @@ pub fn is_marked(desk: &Desk) -> bool {
 }
 
 /// Draws over the picture in `area` what is told of the pinned pixel with a place in the world, and
-/// what can be dragged; from outside, the camera too. Letters are `text_size` high.
-pub fn draw_marks(desk: &Desk, canvas: &mut Canvas<'_>, area: Area, text_size: f32) {
+/// what can be dragged; from outside, the camera too. Letters are `text_size` high; where all labels are.
+pub fn draw_marks(desk: &Desk, canvas: &mut Canvas<'_>, area: Area, text_size: f32) -> Vec<Area> {
     let points = desk.points();
     let explanation = desk.explanation().filter(|_| desk.vectors());
     let setup = desk.in_sight().1;
     let (step, view) = (setup.step(), setup.view());
     let mut canvas = canvas.clipped(area);
+    let divider = match desk.compare() {
+        Compare::Divided(part) => {
+            let (middle, width) = (area.left + part * area.width, 0.5 * text_size);
+            Some(Area::new(middle - width / 2.0, area.top, width, area.height))
+        }
+        Compare::Off | Compare::Difference => None,
+    };
+    let mut labels = Vec::new();
     if let Some(onlooker) = desk.onlooker() {
         let onlooker = onlooker.camera(area.width / area.height);
         let outside = Outside { step, view, onlooker: &*onlooker, area };
-        outside.draw(&mut canvas, explanation.as_ref(), &points, text_size);
+        labels = outside.draw(&mut canvas, explanation.as_ref(), &points, text_size, divider);
         let sight = Sight { step, camera: &*onlooker, area };
         draw_chosen(desk, &mut canvas, &sight, text_size / 7.0);
     } else if explanation.is_some() || !points.is_empty() {
         let camera = view.camera(desk.picture_size().aspect());
         let sight = Sight { step, camera: &*camera, area };
-        draw_vectors(&mut canvas, sight, explanation.as_ref(), &points, text_size);
+        labels =
+            draw_vectors(&mut canvas, sight, explanation.as_ref(), &points, text_size, divider);
         draw_chosen(desk, &mut canvas, &sight, text_size / 7.0);
     }
+    labels
 }
 
 /// How high, in ems, what stands below the picture of a told line is; 0 where none is shown.

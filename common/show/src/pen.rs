@@ -16,6 +16,23 @@ use common::Vec3;
 /// What is under every line, so that it is seen on any picture.
 const UNDER: Ink = Ink::BLACK.with_alpha(120);
 
+/// In which directions there may be room for a label, and how far away.
+const AROUND: [(f32, f32); 12] = [
+    (0.7, -0.7),
+    (0.7, 0.7),
+    (-0.7, 0.7),
+    (-0.7, -0.7),
+    (1.0, 0.0),
+    (-1.0, 0.0),
+    (0.0, 1.0),
+    (0.0, -1.0),
+    (0.4, -0.9),
+    (0.4, 0.9),
+    (-0.4, 0.9),
+    (-0.4, -0.9),
+];
+const FAR: [f32; 5] = [1.0, 2.5, 5.0, 7.5, 10.0];
+
 /// How much of a hidden line is seen.
 const HIDDEN: u8 = 150;
 
@@ -200,22 +217,18 @@ impl<'a> Pen<'a> {
         }
     }
 
-    /// Writes the labels.
-    pub(crate) fn finish(mut self) {
+    /// Leaves an area free of labels, if it can be helped.
+    pub(crate) fn keep(&mut self, area: Area) {
+        self.marks.push(area);
+    }
+
+    /// Writes the labels; where they are.
+    pub(crate) fn finish(mut self) -> Vec<Area> {
         let (gap, height) = (0.45 * self.text_size, Font::line_height(self.text_size));
-        let around = [
-            (0.7, -0.7),
-            (0.7, 0.7),
-            (-0.7, 0.7),
-            (-0.7, -0.7),
-            (1.0, 0.0),
-            (-1.0, 0.0),
-            (0.0, 1.0),
-            (0.0, -1.0),
-        ];
         let dot = |at| Area::anchored(at, Anchor::Center, gap, gap);
-        let mut taken: Vec<Area> = self.labels.iter().map(|label| dot(label.at)).collect();
-        taken.append(&mut self.marks);
+        let mut marks: Vec<Area> = self.labels.iter().map(|label| dot(label.at)).collect();
+        marks.append(&mut self.marks);
+        let mut written: Vec<Area> = Vec::new();
         for label in &self.labels {
             let text = plain(&label.texts.join(", "), Letters::Vector);
             let set = Boxed::inline(&text, self.text_size);
@@ -226,19 +239,22 @@ impl<'a> Pen<'a> {
                 let area = Area { left: area.left + across, top: area.top + down, ..area };
                 area.moved_into(self.sight.area)
             };
-            let far = [gap, 2.5 * gap, 5.0 * gap];
-            let places = far.into_iter().flat_map(|gap| {
-                let directions = std::iter::once(label.toward).chain(around);
-                directions.map(move |direction| place(direction, gap))
+            let places = FAR.into_iter().flat_map(|far| {
+                let directions = std::iter::once(label.toward).chain(AROUND);
+                directions.map(move |direction| place(direction, far * gap))
             });
             let shared = |area: &Area, others: &[Area]| -> f32 {
                 others.iter().map(|other| area.shared(*other)).sum()
             };
-            // A label is worse to cover than a line.
-            let covered = |area: &Area| 4.0 * shared(area, &taken) + shared(area, &self.lines);
+            // Another label is worse to cover than a mark, and that than a line.
+            let covered = |area: &Area| {
+                40.0 * shared(area, &written)
+                    + 4.0 * shared(area, &marks)
+                    + shared(area, &self.lines)
+            };
             let mut best: Option<(f32, Area)> = None;
             // The earlier, the nearer to what it names.
-            let later = 0.015 * self.text_size * self.text_size;
+            let later = 0.03 * self.text_size * self.text_size;
             for (number, area) in places.enumerate() {
                 let hidden = covered(&area);
                 let cost = hidden + later * number as f32;
@@ -252,8 +268,9 @@ impl<'a> Pen<'a> {
             if let Some((_, area)) = best {
                 let (left, middle) = area.at(Anchor::Left);
                 set.label(&mut self.canvas, (left, middle + 0.3 * self.text_size), label.ink);
-                taken.push(area);
+                written.push(area);
             }
         }
+        written
     }
 }

@@ -101,6 +101,51 @@ fn word(em: f32, word: &str) -> (Line, f32) {
     (line, width)
 }
 
+/// Whether all of a text is an equation: its names are a letter long, but for an index.
+fn is_equation(text: &str) -> bool {
+    let mut names = text.split(|letter: char| !(letter.is_alphanumeric() || letter == '_'));
+    let is_symbol = |name: &str| {
+        let base = name.split('_').next().unwrap_or_default();
+        base.chars().filter(|letter| letter.is_alphabetic()).count() <= 1
+    };
+    names.all(is_symbol) && text.contains(char::is_alphabetic)
+}
+
+/// As high as a line is: without a fraction's bar.
+fn flat(math: &Math) -> Math {
+    let whole = |part: &Math| match part.parts() {
+        [one] => flat(one),
+        _ => Math::Fence('(', Box::new(flat(part)), ')'),
+    };
+    match math {
+        Math::Row(parts) => Math::Row(parts.iter().map(flat).collect()),
+        Math::Fraction(above, below) => {
+            Math::Row(vec![whole(above), Math::Sign('/'), whole(below)])
+        }
+        other => other.clone(),
+    }
+}
+
+/// Writes one line with its middle at `(x, y)`, within `width`; an equation as such.
+pub(crate) fn draw_caption(
+    canvas: &mut Canvas<'_>, (x, y): (f32, f32), em: f32, ink: Ink, text: &str, most: f32,
+) {
+    let at = |wide: f32, em: f32| (x - wide / 2.0, y - 0.6 * em);
+    if !is_equation(text) {
+        let em = em * (most / width(em, text).max(1.0)).min(1.0);
+        return draw_within(canvas, at(width(em, text), em), em, ink, text, most);
+    }
+    // In each of several a letter has its own meaning.
+    let comma = |place: usize| if place > 0 { vec![Math::Sign(',')] } else { Vec::new() };
+    let parts = text.split(", ").enumerate().flat_map(|(place, equation)| {
+        let equation = plain(equation, Letters::Scalar);
+        [comma(place), flat(&equation).parts().to_vec()].concat()
+    });
+    let set = Boxed::within(&Math::Row(parts.collect()), em, most);
+    let (left, top) = at(set.width, em);
+    set.draw(canvas, (left, top + BASELINE * em), ink, true);
+}
+
 fn wrapped(em: f32, text: &str, width: f32) -> Vec<Line> {
     if !has_symbols(text) {
         let lines = Font::wrap(em, text, width).into_iter();

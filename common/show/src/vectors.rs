@@ -1,5 +1,6 @@
 //! What is told with a place in the world, drawn.
 
+use crate::Area;
 use crate::Canvas;
 use crate::Handle;
 use crate::Ink;
@@ -34,6 +35,9 @@ pub fn symbol_ink(symbol: &str) -> Option<Ink> {
         _ => return None,
     })
 }
+
+/// Symbols of all colours.
+pub const INKED: [&str; 8] = ["n", "l", "v", "h", "d", "α", "β", "γ"];
 
 /// What a step calls the ray that ends at a light, or before it where the light is blocked.
 const SHADOW_RAY: &str = "shadow ray's d";
@@ -223,12 +227,13 @@ pub(crate) fn draw_handles<'a>(pen: &mut Pen<'a>, handles: &'a [Handle]) {
 /// `handles`; letters are `text_size` high, in pixels, as [`Font`](crate::Font) tells.
 ///
 /// What something hides is dashed or faint. The viewing ray is seen end on: it is the point that it
-/// hits, or a ring.
+/// hits, or a ring. No label is `across`, if it can be helped; where all are.
 pub fn draw_vectors(
     canvas: &mut Canvas<'_>, sight: Sight<'_>, explanation: Option<&Explanation>,
-    handles: &[Handle], text_size: f32,
-) {
+    handles: &[Handle], text_size: f32, across: Option<Area>,
+) -> Vec<Area> {
     let mut pen = Pen::new(canvas, sight, text_size);
+    across.into_iter().for_each(|area| pen.keep(area));
     draw_handles(&mut pen, handles);
     if let Some(explanation) = explanation {
         let ray = viewing_ray(explanation);
@@ -238,7 +243,7 @@ pub fn draw_vectors(
         }
         draw_marks(&mut pen, &marks(explanation, unit(&sight, explanation)));
     }
-    pen.finish();
+    pen.finish()
 }
 
 /// Which of `handles` is at a position of the picture, if one is: the nearest that is not farther

@@ -106,6 +106,11 @@ impl Page {
                 json(&state(self.desk_of(of.as_deref())?, spoken))
             }
             Ask::Explain => json(&explained(&self.desk)),
+            Ask::Gist(law) => {
+                let law: Vec<&str> = law.iter().map(String::as_str).collect();
+                json(&self.desk.gist(&law).map(|gist| (gist.of, gist.numbers)))
+            }
+            Ask::Seen => json(&self.desk.things()),
             Ask::Code => json(&listings(&self.desk)),
             Ask::Command => json(&self.desk.command()),
             Ask::Keys => {

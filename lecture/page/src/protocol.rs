@@ -28,6 +28,11 @@ pub(crate) enum Ask {
     State { of: Option<String>, spoken: String },
     /// How the pinned pixel comes by its colour.
     Explain,
+    /// The pinned pixel in short, if one is: what is seen there, and symbols with their numbers, among
+    /// these of the step's law.
+    Gist(Vec<String>),
+    /// What is seen in the picture, each thing with its percentage.
+    Seen,
     /// The code of the step, as it runs for the pinned pixel.
     Code,
     /// The command that gives what is shown now. It takes time, as it looks for the shortest names.

@@ -40,6 +40,13 @@ pub struct Program {
     pub is_figure: bool,
 }
 
+/// Whether `line` tells what a handout writes so.
+pub(crate) fn named(name: &str, line: &Line) -> bool {
+    let name = name.replace(['*', '\\'], "");
+    let key = symbol(line).key();
+    [Letters::Scalar, Letters::Vector].iter().any(|letters| plain(&name, *letters).key() == key)
+}
+
 impl Program {
     /// A step without texts beside it.
     pub fn new(name: &'static str, concept: &'static str, size: Size, make: Make) -> Self {
@@ -80,21 +87,18 @@ impl Program {
         laws(told.map_or(self.handout, |[.., handout]| handout))
     }
 
-    /// Whether its handout has a row that gives the symbol of `line` a meaning: what is new has one.
-    pub(crate) fn explains(&self, line: &Line) -> bool {
-        let symbol = symbol(line).key();
+    /// The symbols to which its handout gives a meaning, as that writes them: what is new has one.
+    pub(crate) fn news(&self) -> Vec<&'static str> {
         let symbols = self.handout.lines().filter_map(|line| line.strip_prefix("| "));
         // What is known from before has no code of its own there.
         let new = symbols
             .filter_map(|row| row.split_once(" | ").filter(|(_, rest)| rest.starts_with('`')));
-        let mut symbols = new.flat_map(|(names, _)| names.split(", "));
-        let is_it = |name: &str| {
-            let name = name.replace(['*', '\\'], "");
-            [Letters::Scalar, Letters::Vector]
-                .iter()
-                .any(|letters| plain(&name, *letters).key() == symbol)
-        };
-        symbols.any(is_it)
+        new.flat_map(|(names, _)| names.split(", ")).collect()
+    }
+
+    /// Whether what `line` tells is new.
+    pub(crate) fn explains(&self, line: &Line) -> bool {
+        self.news().into_iter().any(|name| named(name, line))
     }
 
     /// What its window is called.

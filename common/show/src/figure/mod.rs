@@ -5,16 +5,15 @@ mod sketch;
 use std::ops::RangeInclusive;
 use std::rc::Rc;
 
-use crate::Anchor;
 use crate::Area;
 use crate::Canvas;
-use crate::Font;
 use crate::Ink;
 use crate::Program;
 use crate::Shown;
 use crate::Sight;
 use crate::Size;
 use crate::control::AXES;
+use crate::prose::draw_caption;
 use crate::translated;
 use common::Adjustable;
 use common::Camera;
@@ -362,9 +361,7 @@ impl<L: Tell + Clone> Shown for Figure<L> {
             if self.shown == 0 {
                 let at = (area.left + area.width / 2.0, area.top - 0.75 * size);
                 let label = (panel.label)(&lesson);
-                let label = translated(&label);
-                let size = size * (area.width / Font::width(size, label).max(1.0)).min(1.0);
-                canvas.text(at, Anchor::Center, size, Ink::WHITE, label);
+                draw_caption(canvas, at, size, Ink::WHITE, translated(&label), area.width);
             }
         }
     }

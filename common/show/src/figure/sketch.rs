@@ -4,15 +4,18 @@ use std::ops::Range;
 
 use crate::Anchor;
 use crate::Area;
+use crate::Boxed;
 use crate::Canvas;
 use crate::Font;
 use crate::Ink;
+use crate::Letters;
 use crate::Mark;
 use crate::MarkShape;
 use crate::Outside;
 use crate::Sight;
 use crate::marks;
 use crate::pen::Pen;
+use crate::plain;
 use crate::sight::explain_ray;
 use crate::ticks;
 use crate::translated;
@@ -97,11 +100,17 @@ impl<'a> Sketch<'a> {
     pub fn outside(&mut self, view: &View) {
         let Sight { step, camera, area } = self.sight;
         let outside = Outside { step, view, onlooker: camera, area };
-        outside.draw(&mut self.canvas, None, &[], self.size);
+        outside.draw(&mut self.canvas, None, &[], self.size, None);
     }
 
-    /// Writes `text`, readable on any picture, with its middle at `at`, in pixels.
+    /// Writes `text`, readable on any picture, with its middle at `at`, in pixels; a letter alone names a
+    /// point.
     pub fn text(&mut self, at: (f32, f32), ink: Ink, text: &str) {
+        if text.chars().count() == 1 {
+            let set = Boxed::inline(&plain(text, Letters::Vector), self.size);
+            let at = (at.0 - set.width / 2.0, at.1 + 0.3 * self.size);
+            return set.label(&mut self.canvas, at, ink);
+        }
         self.canvas.label(at, Anchor::Center, self.size, ink, translated(text));
     }
 

@@ -2,6 +2,8 @@
 
 use super::Math;
 use super::setting::ink;
+use crate::symbol_ink;
+use crate::vectors::INKED;
 
 /// What stands under what has this [`key`](Math::key), within a fraction or not; nothing under most.
 type Place<'a> = &'a mut dyn FnMut(&str, bool) -> Option<String>;
@@ -114,10 +116,11 @@ fn part(math: &Math, place: Place<'_>) -> String {
     }
 }
 
-/// The colour of a symbol, as a browser's style makes it fit the ground.
+/// By which class a browser's style knows the colour of a symbol: the first one that has it.
 fn inked(math: &Math) -> String {
-    let ink = ink(&math.key()).map(|ink| ink.rgb);
-    ink.map_or(String::new(), |[r, g, b]| format!(" style=\"--ink:#{r:02x}{g:02x}{b:02x}\""))
+    let ink = ink(&math.key());
+    let same = INKED.iter().find(|name| ink.is_some() && symbol_ink(name) == ink);
+    same.map_or(String::new(), |name| format!(" class=\"{name}\""))
 }
 
 /// As one element.

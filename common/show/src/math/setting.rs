@@ -150,7 +150,7 @@ impl<'a> Style<'a> {
         let (mut set, mut hanging) = (Boxed::default(), Vec::new());
         let mut place = 0;
         while place < parts.len() {
-            let (count, numbers) = self.told(&parts[place..]);
+            let (count, numbers) = self.told(parts, place);
             let inner = Style { numbers: self.numbers.filter(|_| numbers.is_empty()), ..self };
             let (before, _) = self.around(parts, place);
             set.width += if place == 0 { 0.0 } else { before };
@@ -214,15 +214,19 @@ impl<'a> Style<'a> {
         set
     }
 
-    /// How many of `parts`, from the first on, have numbers of their own together, and which.
-    fn told(self, parts: &[Math]) -> (usize, Vec<String>) {
+    /// How many of `parts`, from `place` on, have numbers of their own together, and which: a vector that is
+    /// a factor has none.
+    fn told(self, parts: &[Math], place: usize) -> (usize, Vec<String>) {
         let Some(numbers) = self.numbers else { return (1, Vec::new()) };
+        let (before, parts) = parts.split_at(place);
+        let dot = |part: Option<&Math>| part == Some(&Math::Sign('·'));
         let longest = parts.len().min(3);
         let told = (1..=longest).rev().find_map(|count| {
             let key: String = parts[..count].iter().map(Math::key).collect();
             let ends = [&parts[0], &parts[count - 1]];
             let whole = ends.iter().all(|end| !matches!(end, Math::Space(_)));
-            let numbers = numbers(&key).filter(|numbers| numbers.len() == 1 || !self.within);
+            let stacks = !self.within && !dot(before.last()) && !dot(parts.get(count));
+            let numbers = numbers(&key).filter(|numbers| numbers.len() == 1 || stacks);
             numbers.filter(|_| whole && !key.is_empty()).map(|numbers| (count, numbers))
         });
         told.unwrap_or((1, Vec::new()))

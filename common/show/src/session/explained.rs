@@ -1,12 +1,14 @@
 //! The rows of a pixel's explanation, what matters first.
 
 use super::measures::ACCENT;
+use super::measures::TEXT;
 use super::row::Fold;
 use super::row::Row;
 use crate::Letters;
 use crate::Math;
 use crate::Program;
 use crate::WhatIf;
+use crate::desk::named;
 use crate::encode;
 use crate::glance;
 use crate::named_lines;
@@ -39,6 +41,8 @@ pub(super) struct Told<'a> {
     pub(super) what_ifs: &'a [WhatIf],
     /// What was folded or unfolded by hand.
     pub(super) folds: &'a [(Fold, bool)],
+    /// All is open that can be walked to.
+    pub(super) walked: bool,
 }
 
 /// What a group comes to, as far as it tells that.
@@ -59,9 +63,11 @@ impl Told<'_> {
         let [r, g, b] = rgb;
         let (col, row) = (pixel.col, pixel.row);
         let mut rows = vec![Row::Pixel { text: format!("({col}, {row}): {r}, {g}, {b}"), rgb }];
+        rows.extend(self.left_out().map(|text| Row::Text(text, TEXT)));
         for (place, section) in told.scopes().rev().enumerate() {
             let fold = Fold::Section(section.name);
-            let open = self.is_open(fold, place == 0 || self.has_line(section, told));
+            let open =
+                self.walked || self.is_open(fold, place == 0 || self.has_line(section, told));
             let new = !open && self.has_new(section.name, section);
             rows.push(heading(fold, translated(section.name).to_owned(), None, open, new));
             if open {
@@ -70,6 +76,21 @@ impl Told<'_> {
             }
         }
         rows
+    }
+
+    /// What the step adds, where nothing of it is told of this pixel.
+    fn left_out(&self) -> Option<String> {
+        let lines = self.explanation.lines().collect::<Vec<_>>();
+        let news = self.program.filter(|_| self.is_all_old())?.news();
+        let is_told = |name: &&str| lines.iter().any(|line| named(name, line));
+        let symbols: Vec<&str> = news.into_iter().filter(|name| !is_told(name)).collect();
+        let symbols = symbols.join(", ");
+        (!symbols.is_empty()).then(|| text!("{symbols}: not computed for this pixel", symbols))
+    }
+
+    /// Whether the step before tells all of it.
+    fn is_all_old(&self) -> bool {
+        !self.explanation.told.scopes().any(|section| self.has_new(section.name, section))
     }
 
     fn is_open(&self, fold: Fold, usually: bool) -> bool {
@@ -128,7 +149,8 @@ impl Told<'_> {
         }
         if misses.len() > 1 {
             let fold = Fold::Missed(section);
-            let open = self.is_open(fold, misses.iter().any(|inner| self.has_line(inner, scope)));
+            let missed = misses.iter().any(|inner| self.has_line(inner, scope));
+            let open = !self.walked && self.is_open(fold, missed);
             let names = counted(misses.iter().map(|scope| translated(scope.name)));
             let text = text!("{count} missed: {names}", count = misses.len(), names);
             rows.push(heading(fold, text, None, open, false));
@@ -139,7 +161,8 @@ impl Told<'_> {
         if !old.is_empty() {
             let fold = Fold::Old(section, place.groups);
             place.groups += 1;
-            let open = self.is_open(fold, old.iter().any(|(_, name)| self.is_line(name)));
+            let chosen = old.iter().any(|(_, name)| self.is_line(name));
+            let open = self.walked || self.is_open(fold, chosen);
             let lines: Vec<&Line> = old.iter().map(|(line, _)| *line).collect();
             let known = text!("from before").to_owned();
             rows.push(heading(fold, known, Some(results(&lines)), open, false));
@@ -174,7 +197,8 @@ impl Told<'_> {
                 }
                 let meant = names.iter().find(|name| self.light == Some(name)).or(names.first());
                 let chosen = meant.is_none_or(|meant| *meant == scope.name);
-                let ranked = self.before.is_some() || self.program.is_some();
+                let ranked =
+                    (self.before.is_some() || self.program.is_some()) && !self.is_all_old();
                 let lines: Vec<&Line> = scope.lines().collect();
                 (chosen && (has_new || !ranked), Some(results(&lines)))
             }
@@ -185,7 +209,10 @@ impl Told<'_> {
             }
             Outcome::Farther(at) => (false, Some(plain_word(&t(at)))),
         };
-        let open = self.is_open(fold, usually || self.has_line(scope, around));
+        let open = match self.walked {
+            true => scope.is_open(),
+            false => self.is_open(fold, usually || self.has_line(scope, around)),
+        };
         let result = result.filter(|_| !open || scope.outcome != Outcome::Told);
         rows.push(heading(fold, name, result, open, has_new && !open));
         if open {

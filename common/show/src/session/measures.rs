@@ -25,7 +25,7 @@ pub(super) const MARGIN: f32 = 0.6;
 pub(super) const INDENT: f32 = 0.95;
 pub(super) const NUMBER: f32 = 4.4;
 /// How much of a number's column is behind its point.
-pub(super) const DECIMALS: f32 = 2.9;
+pub(super) const DECIMALS: f32 = 3.1;
 pub(super) const NAME: f32 = 6.6;
 /// How much smaller an equation may be to stand beside its values.
 pub(super) const SMALLER: f32 = 0.7;

@@ -235,7 +235,10 @@ impl Session {
     pub(super) fn do_act(&mut self, act: Act) {
         let (shown, reading) = (self.shown(), self.desk.reading());
         let what_ifs = self.desk.what_ifs().len();
-        self.act(act);
+        match act {
+            Act::Walk(by) if self.desk.explanation().is_some() => self.walk(by),
+            act => self.act(act),
+        }
         if self.desk.what_ifs().len() > what_ifs {
             // The new sliders are the first, and keys act on them.
             self.select_first();

@@ -13,6 +13,8 @@ use super::measures::TEXT;
 use super::panel::Panel;
 use super::row::Fold;
 use super::row::Row;
+use super::row::Target;
+use crate::Act;
 use crate::Area;
 use crate::Boxed;
 use crate::Change;
@@ -97,27 +99,70 @@ impl Session {
         rows
     }
 
+    /// The pinned pixel's explanation, with all open that can be walked to, or as it is.
+    fn told_rows(&self, walked: bool) -> Option<Vec<Row>> {
+        let (explanation, before) = (self.desk.explanation()?, self.desk.explanation_before());
+        let program = Some(self.desk.in_sight().0).filter(|program| !program.handout.is_empty());
+        let told = Told {
+            explanation: &explanation,
+            before: before.as_ref(),
+            program,
+            light: self.desk.setup().chosen("light"),
+            line: self.desk.line(),
+            shown: self.desk.shown_line(),
+            what_ifs: self.desk.what_ifs(),
+            folds: &self.folds,
+            walked,
+        };
+        Some(told.rows())
+    }
+
+    /// Goes so many lines down in what is read, and unfolds what is come to.
+    pub(super) fn walk(&mut self, by: isize) {
+        let Some(line) = self.line_after(by) else { return self.act(Act::Walk(by)) };
+        let open = |session: &Self| -> Vec<Fold> {
+            let heading = |row: &Row| match row {
+                Row::Heading { fold, open: true, .. } => Some(*fold),
+                _ => None,
+            };
+            session.reading_rows().iter().filter_map(heading).collect()
+        };
+        self.folds.retain(|(_, open)| *open);
+        let before = open(self);
+        self.act(Act::Choose(line));
+        for fold in open(self).into_iter().filter(|fold| !before.contains(fold)) {
+            self.folds.push((fold, true));
+        }
+    }
+
+    /// The line that stands so many farther down in the pinned pixel's explanation.
+    fn line_after(&self, by: isize) -> Option<LineName> {
+        let rows = self.told_rows(true).filter(|_| self.desk.reading() == Reading::Pixel)?;
+        let target = |row: &Row| match row.target() {
+            Target::Line(line) => Some(line),
+            _ => None,
+        };
+        let mut lines: Vec<LineName> = Vec::new();
+        for line in rows.iter().filter_map(target) {
+            // A sum tells again what was told.
+            if !lines.contains(&line) {
+                lines.push(line);
+            }
+        }
+        let count = lines.len().max(1) as isize;
+        let place = lines.iter().position(|line| self.desk.line() == Some(line));
+        let next = match place {
+            Some(place) => (place as isize).saturating_add(by).rem_euclid(count),
+            None if by < 0 => count - 1,
+            None => 0,
+        };
+        lines.into_iter().nth(next as usize)
+    }
+
     /// What is to be read: the pinned pixel's explanation, or another text.
     pub(super) fn reading_rows(&self) -> Vec<Row> {
         match self.desk.reading() {
-            Reading::Pixel => self.desk.explanation().map_or_else(
-                || self.unpinned(),
-                |explanation| {
-                    let before = self.desk.explanation_before();
-                    Told {
-                        explanation: &explanation,
-                        before: before.as_ref(),
-                        program: Some(self.desk.in_sight().0)
-                            .filter(|program| !program.handout.is_empty()),
-                        light: self.desk.setup().chosen("light"),
-                        line: self.desk.line(),
-                        shown: self.desk.shown_line(),
-                        what_ifs: self.desk.what_ifs(),
-                        folds: &self.folds,
-                    }
-                    .rows()
-                },
-            ),
+            Reading::Pixel => self.told_rows(false).unwrap_or_else(|| self.unpinned()),
             Reading::Keys => {
                 let several = self.desk.steps() > 1;
                 let rows = table().into_iter().filter(|row| several || !row.lecture);
@@ -180,6 +225,7 @@ impl Session {
         let rows = self.reading_panel().map_or(Vec::new(), |panel| {
             let read = |row: &Row| match row {
                 Row::Line { equation, .. } => Some(equation.key()),
+                Row::Text(text, _) => Some(text.clone()),
                 Row::Heading { text, value, .. } => {
                     Some(text.clone() + &value.as_ref().map_or(String::new(), Math::key))
                 }

@@ -88,6 +88,7 @@ impl Session {
                 shown: None,
                 what_ifs: self.desk.what_ifs(),
                 folds: &folds,
+                walked: false,
             };
             let mut rows = told.rows();
             let folded =
