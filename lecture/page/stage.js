@@ -119,7 +119,7 @@ async function copy(what) {
   notice(`${copied ? text("Copied:") : text("To copy by hand:")} ${what}`);
 }
 
-/** Saves the picture at its own size with what lies over it; a told line's with its legend below. */
+/** Saves the picture at its own size with all that lies over it, and its legend below. */
 function save() {
   const { legend, layers, name, marked, size } = state;
   const [width, height] = size;
