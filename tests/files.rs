@@ -158,6 +158,15 @@ fn links_and_permissions_stay_and_a_full_disk_leaves_the_old_file() {
     let mut shell = shell(script, STEP, folder.path());
     let output = shell.args(["-s", "960x540", "-o", "old.png"]).output().expect("sh runs");
     assert_failed(folder.path(), &output, "cannot write old.png: ", "another file or folder");
+    // So is a page, of which the handout is the one that is soon written.
+    fs::rename(folder.path().join("old.png"), folder.path().join("old.html")).expect("renamed");
+    let mut page = tests::run::shell(script, crate::LECTURE, folder.path());
+    let output = page.args(["--handout", "old.html"]).output().expect("sh runs");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(said.contains("cannot write old.html: ") && !output.status.success(), "{said}");
+    assert_eq!(files(folder.path()), ["old.html"], "{said}");
+    assert_eq!(fs::read_to_string(folder.path().join("old.html")).expect("it is there"), OLD);
+    fs::rename(folder.path().join("old.html"), folder.path().join("old.png")).expect("renamed");
     // Before a picture is rendered, which would take hours.
     let mut shell = tests::run::shell(r#"ulimit -t 20; exec "$0" "$@""#, STEP, folder.path());
     shell.args(words("-s 10000x10000 --samples 16 -o a/b.png"));

@@ -307,6 +307,18 @@ fn without_a_window_the_picture_is_written() {
 }
 
 #[test]
+#[ignore = "needs Xvfb and xdotool"]
+fn a_full_standard_output_does_not_end_a_window() {
+    let (display, folder) = (Display::start(), tempdir().expect("a folder"));
+    std::os::unix::fs::symlink("/dev/full", folder.path().join("output")).expect("linked");
+    let mut running = Running::open(&display, (STEPS[1], "step02_sphere:"), ("C", ""), folder);
+    running.act("key c");
+    until("a word about it", || running.said("errors").contains("disk is full").then_some(()));
+    running.act("key ctrl+q");
+    assert_eq!(running.ends(), Some(0));
+}
+
+#[test]
 #[ignore = "needs Xvfb"]
 fn where_a_pixel_has_16_bits_the_picture_is_written() {
     let (display, folder) = (Display::of("800x600x16"), tempdir().expect("a folder"));

@@ -81,6 +81,8 @@ pub(crate) const WRONG_OF_LECTURE: &[(&str, &[&str])] = &[
     ("--step 6 --divide 0.5 --compare a.png", &["--divide <PART>", "cannot be used"]),
     ("--divide 0.5", &["no step before step 1", "--step 2 to 7"]),
     ("--difference --step 1", &["no step before step 1"]),
+    ("--page a.txt", &["'a.txt'", "name it a.html"]),
+    ("--handout b.c/a.pdf", &["'b.c/a.pdf'", "name it b.c/a.html"]),
     ("--page a.html --step 2", &["--page <FILE>", "cannot be used"]),
     ("--step 6 --set k_s=0.5", &["no control 'k_s'", "k_d"]),
     ("--step 2 --size 9x9 --pixel 9,0", &["no pixel 9,0"]),
