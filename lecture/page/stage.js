@@ -119,7 +119,7 @@ async function copy(what) {
   notice(`${copied ? text("Copied:") : text("To copy by hand:")} ${what}`);
 }
 
-/** Saves the picture at its own size with what lies over it; that of a told line with its legend below. */
+/** Saves the picture at its own size, what lies over it, and of a told line the legend below. */
 function save() {
   const { legend, layers, name, marked, size } = state;
   const [width, height] = size;
