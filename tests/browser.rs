@@ -254,11 +254,13 @@ impl Browser {
     pub(crate) fn photo(&self, selector: &str) -> RgbImage {
         let seen = self.wait_for(&format!(
             "const place = document.querySelector('{selector}');
-            place.scrollIntoView({{ block: 'center', behavior: 'instant' }});
-            requestAnimationFrame(() => {{
+            // What comes into sight may move it.
+            (function look(before) {{
+                place.scrollIntoView({{ block: 'center', behavior: 'instant' }});
                 const {{ left, top, width, height }} = place.getBoundingClientRect();
-                done([left, top, width, height]);
-            }})"
+                if (before === top) done([left, top, width, height]);
+                else setTimeout(look, 300, top);
+            }})()"
         ));
         let side = |place: usize| seen[place].as_f64().expect("a length") as u32;
         let png = text(&self.ask("GET", &format!("{}/screenshot", self.session), &Value::Null));
