@@ -41,7 +41,7 @@ fn handouts() -> impl Iterator<Item = (usize, &'static str, Element<'static>)> {
 
 /// `text` as letters alone, so that it does not matter how it is broken and set.
 fn letters(text: &str) -> String {
-    text.chars().filter(|letter| !letter.is_whitespace() && *letter != '_').collect()
+    text.chars().map(plain).filter(|letter| !letter.is_whitespace() && *letter != '_').collect()
 }
 
 #[test]
@@ -110,24 +110,26 @@ fn says_all(part: &str, section: &Element<'_>, step: &str) {
     }
 }
 
-/// A symbol, or what is written in an equation, as it is read out: bold and slanted letters and indices
-/// are as any others, and the index of a light says nothing.
-fn read_out(text: &str) -> String {
+/// A bold or slanted letter as any other.
+fn plain(letter: char) -> char {
     let alphabets = [('𝐀', 'A'), ('𝐚', 'a'), ('𝐴', 'A'), ('𝑎', 'a'), ('𝛼', 'α')];
-    let plain = |letter: char| match letter {
+    let place = |first: char| (letter as u32).checked_sub(first as u32);
+    let found = alphabets.iter().find_map(|(first, plain)| {
+        let place = place(*first).filter(|place| *place < 26)?;
+        char::from_u32(*plain as u32 + place)
+    });
+    match letter {
         'ℎ' => 'h',
         '⋅' => '·',
         '∗' => '*',
         '²' => '2',
-        letter => {
-            let place = |first: char| (letter as u32).checked_sub(first as u32);
-            let found = alphabets.iter().find_map(|(first, plain)| {
-                let place = place(*first).filter(|place| *place < 26)?;
-                char::from_u32(*plain as u32 + place)
-            });
-            found.unwrap_or(letter)
-        }
-    };
+        letter => found.unwrap_or(letter),
+    }
+}
+
+/// A symbol, or what is written in an equation, as it is read out: bold and slanted letters and indices
+/// are as any others, and the index of a light says nothing.
+fn read_out(text: &str) -> String {
     let letters = text.chars().map(plain);
     letters.filter(|letter| !"_/^√ 𝑖i⏟\u{2061}".contains(*letter)).collect()
 }

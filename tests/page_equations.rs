@@ -63,9 +63,13 @@ fn draw_the_sheet() {
         let baseline = top + (ROW as f32 - set.height()) / 2.0 + set.above;
         set.draw(&mut canvas, (left as f32 + 10.0, baseline), Ink::grey(238), false);
         canvas.fill(Area::new(0.0, top, (2 * left + right) as f32, 1.0), Ink::grey(90));
-        browser.show(&format!("#{}&pixel=440,200", &name[..6]));
-        browser.unfold();
-        browser.run(&format!("formula().querySelectorAll('.math > div')[{place}].id = 'drawn'"));
+        if row == 0 || DECK[row - 1].0 != index {
+            browser.show(&format!("#{}&pixel=440,200", &name[..6]));
+        }
+        browser.run(&format!(
+            "for (const old of document.querySelectorAll('#drawn')) old.removeAttribute('id');
+            formula().querySelectorAll('.math > div')[{place}].id = 'drawn'"
+        ));
         put(&mut sheet, &browser.photo("#drawn"), (2 * left, row as u32 * ROW), right);
     }
     sheet.save(&file).expect("it is written");

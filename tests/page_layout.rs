@@ -5,14 +5,19 @@ use tests::prelude::*;
 use crate::browser::Browser;
 use crate::browser::DRAWN;
 
-/// What is beyond the edge of the page; equations that scroll up and down; terms of equations whose
-/// boxes are not as wide as what is in them.
+/// What is beyond the edge of the page; equations that scroll up and down, or sideways where none of their
+/// terms is so wide; terms whose boxes are not as wide as what is in them.
 const FAULTS: &str = "
     const faults = [];
     if (document.documentElement.scrollWidth > innerWidth) faults.push('the page is too wide');
     for (const math of document.querySelectorAll('.math'))
         if (math.clientHeight && math.scrollHeight > math.clientHeight + 1)
             faults.push(`it scrolls: ${math.textContent}`);
+    for (const math of document.querySelectorAll('.math')) {
+        const widths = [...math.querySelectorAll('math')].map((it) => it.offsetWidth || it.clientWidth);
+        if (math.scrollWidth > Math.max(math.clientWidth, ...widths) + 1)
+            faults.push(`it is not broken: ${math.textContent}`);
+    }
     for (const math of document.querySelectorAll('.math math')) {
         if (!math.checkVisibility()) continue;
         const inside = document.createRange();

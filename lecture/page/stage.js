@@ -62,7 +62,7 @@ function drawLegend(canvas, size, text, altered) {
   fill(canvas, size, ask({ below: { size, text, altered } }));
 }
 
-/** The letters over the picture are as high as those beside it, however wide and sharp it is. */
+/** Letters over the picture are as high as those beside it, however wide it is, and it is sharp. */
 new ResizeObserver(() => {
   if (!state) return;
   showLegend();
@@ -119,7 +119,7 @@ async function copy(what) {
   notice(`${copied ? text("Copied:") : text("To copy by hand:")} ${what}`);
 }
 
-/** Saves the picture at its own size with what lies over it; that of a told line with its legend below. */
+/** Saves the picture at its own size with all that lies over it, and its legend below. */
 function save() {
   const { legend, layers, name, marked, size } = state;
   const [width, height] = size;

@@ -169,6 +169,11 @@ fn with_indices(html: &str) -> String {
             indexed.push_str(text);
             continue;
         }
+        // Who reads a table aloud has no name for a heading that is an equation.
+        if let Some((symbol, index)) = text.split_once('_').filter(|_| tag == "th") {
+            let _ = write!(indexed, "{symbol}<sub>{index}</sub>");
+            continue;
+        }
         for part in prose(text) {
             match part {
                 Prose::Text(text) => indexed.push_str(&text),

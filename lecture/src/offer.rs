@@ -44,7 +44,7 @@ pub(crate) fn offer(name: &str, code: &str) -> Option<String> {
             }
             "--what-if" => equal(words.next()?),
             "--show" => formula(words.next()?),
-            "--pixel" => format!("({})", escape(&words.next()?.replace(',', ", "))),
+            "--pixel" => format!("pixel {}", escape(&words.next()?.replace(',', ", "))),
             "--outside" | "--curve" => escape(&flag[2..]),
             _ => format!("{} = {}", &flag[2..], escape(words.next()?)),
         });
