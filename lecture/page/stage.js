@@ -132,10 +132,12 @@ async function copy(what) {
 function save() {
   const { legend, layers, name, marked, size } = state;
   const [width, height] = size;
-  const rgb = layers.map((layer) => ask({ rows: { layer, size, first: 0, count: height } }).slice());
+  const all = { size, first: 0, count: height };
+  const rgb = layers.map((layer) => ask({ rows: { layer, ...all } }).slice());
   const text = Math.max(12, Math.min(width, height) / 36);
   const high = legend ? Math.round(legend[1] * text) : 0;
-  const [picture, over] = [element("canvas", { width, height: height + high }), element("canvas", {})];
+  const picture = element("canvas", { width, height: height + high });
+  const over = element("canvas", {});
   const paper = picture.getContext("2d");
   put(over, null, size, { size, rgb });
   paper.drawImage(over, 0, 0);
