@@ -30,7 +30,8 @@ class Drawing {
     this.moving = moving;
     this.stale = true;
     // Whoever drags sees each picture that was begun: where changes come faster than
-    // pictures, there would else be none. One of other layers is not waited for: the step before may be gone.
+    // pictures, there would else be none. One of other layers is not waited for: the step before
+    // may be gone.
     const same = () => JSON.stringify(this.made.layers) === JSON.stringify(this.wanted().layers);
     if (!(this.busy && this.made.dragged && same())) this.draw(moving);
   }

@@ -23,8 +23,8 @@ function grab(event) {
 }
 
 /**
- * Whether a pointer that went from one place to another means to go sideways; null as long as it may
- * have gone nowhere. A finger that goes up or down means the page, and the browser scrolls that.
+ * Whether a pointer that went from one place to another means to go sideways; null as long as it
+ * may have gone nowhere. A finger that goes up or down means the page, and the browser scrolls that.
  */
 function sideways(from, to) {
   const [right, down] = [to.clientX - from.clientX, to.clientY - from.clientY].map(Math.abs);
@@ -110,7 +110,7 @@ function slide() {
   target.dispatchEvent(new Event("input"));
 }
 
-/** A finger that goes up or down past a slider leaves it; a tap, or one going sideways, moves it. */
+/** A finger that goes up or down past a slider leaves it; a tap or a swipe sideways moves it. */
 function sliders() {
   const on = (name, done) => document.addEventListener(name, done, true);
   on("pointerdown", (event) => {
