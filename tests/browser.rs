@@ -252,12 +252,20 @@ impl Browser {
 
     /// What is seen of the first element that `selector` names.
     pub(crate) fn photo(&self, selector: &str) -> RgbImage {
-        let found = self.post("/element", &json!({"using": "css selector", "value": selector}));
-        let names = found.as_object().expect("an element").values();
-        let path = format!("{}/element/{}", self.session, names.map(text).collect::<String>());
-        let png = text(&self.ask("GET", &format!("{path}/screenshot"), &Value::Null));
-        let png = STANDARD.decode(png).expect("base64");
-        image::load_from_memory(&png).expect("a PNG").to_rgb8()
+        let seen = self.wait_for(&format!(
+            "const place = document.querySelector('{selector}');
+            // What comes into sight may move it.
+            (function look(before) {{
+                place.scrollIntoView({{ block: 'center', behavior: 'instant' }});
+                const {{ left, top, width, height }} = place.getBoundingClientRect();
+                if (before === top) done([left, top, width, height]);
+                else setTimeout(look, 300, top);
+            }})()"
+        ));
+        let side = |place: usize| seen[place].as_f64().expect("a length") as u32;
+        let png = text(&self.ask("GET", &format!("{}/screenshot", self.session), &Value::Null));
+        let whole = image::load_from_memory(&STANDARD.decode(png).expect("base64"));
+        whole.expect("a PNG").crop_imm(side(0), side(1), side(2), side(3)).to_rgb8()
     }
 
     /// Nothing is in the console, of errors and warnings, as far as the browser tells.

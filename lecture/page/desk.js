@@ -40,7 +40,7 @@ function press(key, down = true, fine = false) {
 const isElsewhere = (before) => before.step !== state.step
   || (before.stop && before.stop.number) !== (state.stop && state.stop.number);
 
-/** While something is dragged, what is beside the picture is shown anew each so many milliseconds. */
+/** While something is dragged, what is beside the picture is anew each so many milliseconds. */
 const REFRESH_MS = 100;
 /** When that was done last, and the timer of the next time. */
 let [refreshed, refreshing] = [0, 0];

@@ -1,8 +1,8 @@
 // Pictures in the making: each is a number of bands of one or two layers.
 
 /**
- * A picture that takes longer than this is drawn with fewer pixels while something is dragged, and so
- * is one that has more pixels than this, as they have to be handed on.
+ * A picture that takes longer than this is drawn with fewer pixels while something is dragged, and
+ * so is one that has more pixels than this, as they have to be handed on.
  */
 const DRAGGED_MS = 22;
 const DRAGGED_PIXELS = 960 * 540;
@@ -29,8 +29,8 @@ class Drawing {
   redraw(moving) {
     this.moving = moving;
     this.stale = true;
-    // Whoever drags sees each picture that was begun: else, where changes come faster than pictures,
-    // there would be none. One of other layers is not waited for: there may be no step before any more.
+    // Whoever drags sees each picture that was begun: where changes come faster than
+    // pictures, there would else be none. One of other layers is not waited for: the step before may be gone.
     const same = () => JSON.stringify(this.made.layers) === JSON.stringify(this.wanted().layers);
     if (!(this.busy && this.made.dragged && same())) this.draw(moving);
   }

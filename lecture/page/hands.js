@@ -2,7 +2,7 @@
 
 /** The hands, by their pointers. */
 const pointers = new Map();
-/** Where the first of them went down, and what it means by now: to turn, or something else; or null. */
+/** Where the first went down, and what it means by now: to turn, or something else; or null. */
 let [began, turns] = [null, null];
 /** The handle that is held. */
 let grabbed = null;
@@ -23,8 +23,8 @@ function grab(event) {
 }
 
 /**
- * Whether a pointer that went from one place to another means to go sideways; null as long as it may have
- * gone nowhere. A finger that goes up or down means the page, and the browser scrolls that.
+ * Whether a pointer that went from one place to another means to go sideways; null as long as it may
+ * have gone nowhere. A finger that goes up or down means the page, and the browser scrolls that.
  */
 function sideways(from, to) {
   const [right, down] = [to.clientX - from.clientX, to.clientY - from.clientY].map(Math.abs);
@@ -101,7 +101,7 @@ function typed(event) {
   else moved({ orbit: [5 * right, -5 * below] });
 }
 
-/** A finger on a slider: where it went down, and what the slider was before; null once it slides. */
+/** A finger on a slider: where it went down, and what the slider was; null once it slides. */
 let touching = null;
 
 function slide() {
@@ -110,7 +110,7 @@ function slide() {
   target.dispatchEvent(new Event("input"));
 }
 
-/** A finger that goes up or down past a slider leaves it as it is; a tap, or one going sideways, moves it. */
+/** A finger that goes up or down past a slider leaves it; a tap, or one going sideways, moves it. */
 function sliders() {
   const on = (name, done) => document.addEventListener(name, done, true);
   on("pointerdown", (event) => {

@@ -96,7 +96,8 @@ function keys() {
   // A click leaves the keys with the control that they act on, or gives them to the picture.
   document.addEventListener("mousedown", (event) => {
     within = false;
-    if (!event.target.closest("#view button, #sliders button, :is(#controls, #answers) summary")) return;
+    const kept = "#view button, #sliders button, :is(#controls, #answers) summary";
+    if (!event.target.closest(kept)) return;
     event.preventDefault();
     within = true;
     if (!document.activeElement.closest("#controls, #answers"))

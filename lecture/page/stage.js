@@ -38,13 +38,22 @@ function show(made = stage.made) {
   put($("now"), null, made.size, made);
   const { marked, size } = state;
   $("marks").hidden = !marked;
-  if (marked) mark($("marks"), made.dragged ? size : sharp());
+  if (!marked) return;
+  const part = markCost * size[0] * size[1] > MARKS_MS ? 0.5 : 1;
+  mark($("marks"), made.dragged ? size.map((side) => Math.round(side * part)) : sharp());
 }
+
+/** Where what lies over a picture takes longer than this, a drag has half as many rows of it. */
+const MARKS_MS = 8;
+/** Milliseconds for a pixel of it. */
+let markCost = 0;
 
 /** Puts what lies over the picture on a canvas of this size, in letters that fit it. */
 function mark(canvas, size) {
+  const start = performance.now();
   const text = Math.max(8, Math.min(size[1] / 12, letters() * size[0] / width()));
   fill(canvas, size, ask({ marks: { size, text } }));
+  markCost = (performance.now() - start) / (size[0] * size[1]);
 }
 
 /** What the colours of a told line stand for, as wide as the picture. */
@@ -123,10 +132,12 @@ async function copy(what) {
 function save() {
   const { legend, layers, name, marked, size } = state;
   const [width, height] = size;
-  const rgb = layers.map((layer) => ask({ rows: { layer, size, first: 0, count: height } }).slice());
+  const all = { size, first: 0, count: height };
+  const rgb = layers.map((layer) => ask({ rows: { layer, ...all } }).slice());
   const text = Math.max(12, Math.min(width, height) / 36);
   const high = legend ? Math.round(legend[1] * text) : 0;
-  const [picture, over] = [element("canvas", { width, height: height + high }), element("canvas", {})];
+  const picture = element("canvas", { width, height: height + high });
+  const over = element("canvas", {});
   const paper = picture.getContext("2d");
   put(over, null, size, { size, rgb });
   paper.drawImage(over, 0, 0);

@@ -99,33 +99,29 @@ pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
         let [r, g, b] = ink.rgb;
         style.push_str(&format!("math .{name} {{ --ink: #{r:02x}{g:02x}{b:02x}; }}\n"));
     }
+    // What is said besides the handouts is said in their language.
     let spoken = Language::spoken();
-    for language in Language::all() {
-        // What is said besides the handouts is said in their language.
+    let handouts = Language::all().map(|language| {
         language.speak();
-        let read = |folder: &str| {
-            let file = match language {
-                Language::ENGLISH => "README.md".to_owned(),
-                language => format!("README.{}.md", language.tag()),
-            };
-            handout::read(&root.join(folder).join(file), folder)
-        };
-        let steps = PROGRAMS.iter().map(|program| read(program.name)).collect::<Result<Vec<_>>>();
-        let steps = steps.inspect_err(|_| spoken.speak())?;
-        articles.push_str(&cover(&read(".")?, &steps, language.tag()));
+        Ok((language, handouts(root, language)?))
+    });
+    let handouts = handouts.collect::<Result<Vec<_>>>();
+    spoken.speak();
+    for (language, (readme, steps)) in handouts? {
+        articles.push_str(&cover(&readme, &steps, language.tag()));
         for (place, handout) in steps.iter().enumerate() {
             articles.push_str(&article(handout, steps.get(place + 1), place, language.tag()));
-            if language == Language::ENGLISH {
-                let name = handout.title.rsplit(" · ").next().unwrap_or_default();
-                let number = number(place);
-                let _ = writeln!(
-                    links,
-                    "<li><a href=\"#step{number}\"><b>{number}</b> <span data-step=\"{number}\">{name}</span></a></li>"
-                );
+            if language != Language::ENGLISH {
+                continue;
             }
+            let (number, name) = (number(place), handout.title.rsplit(" · ").next());
+            let _ = writeln!(
+                links,
+                "<li><a href=\"#step{number}\"><b>{number}</b> <span data-step=\"{number}\">{}</span></a></li>",
+                name.unwrap_or_default(),
+            );
         }
     }
-    spoken.speak();
     for program in PROGRAMS {
         let picture = format!("tests/pictures/{}_perspective.png", program.name);
         still(&root.join(picture), program.name, STEP_QUALITY, &mut style)?;
@@ -146,6 +142,17 @@ pub fn html(program: &[u8], tours: &[Tour]) -> Result<String> {
             ("tours", &packed(page::tours(tours)?.as_bytes())?),
         ],
     ))
+}
+
+/// In a language what is said of the whole class, and each step's handout.
+fn handouts(root: &Path, language: Language) -> Result<(Handout, Vec<Handout>)> {
+    let file = match language {
+        Language::ENGLISH => "README.md".to_owned(),
+        language => format!("README.{}.md", language.tag()),
+    };
+    let read = |folder: &str| handout::read(&root.join(folder).join(&file), folder);
+    let steps = PROGRAMS.iter().map(|program| read(program.name)).collect::<Result<_>>()?;
+    Ok((read(".")?, steps))
 }
 
 /// Of each language the page's own texts by their English, for its script: those that `sources` have
