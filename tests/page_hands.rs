@@ -64,6 +64,10 @@ fn a_click_pins_a_pixel_and_each_symbol_has_its_number() {
     browser.run("$('unpin').click()");
     let seen = "return [state.pin, $('explanation').textContent, $('numbers').hidden]";
     assert_eq!(browser.run(seen), json!([null, "", true]));
+    // Keys act on what is pinned.
+    drag(&browser, "mouse", &[[(0.23, 0.63); 2]]);
+    assert_eq!(browser.run("return selected().name"), json!("green.k_s"));
+    browser.run("$('unpin').click()");
     for (name, language) in STEPS.into_iter().flat_map(|name| [(name, "en"), (name, "pt-BR")]) {
         browser.show(&format!("#{}&pixel=480,300", &name[..6]));
         browser.run(&format!("act({{ language: '{language}' }})"));
