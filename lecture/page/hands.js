@@ -24,7 +24,7 @@ function grab(event) {
 
 /**
  * Whether a pointer that went from one place to another means to go sideways; null as long as it
- * may have gone nowhere. A finger that goes up or down means the page, and the browser scrolls that.
+ * may have gone nowhere. A finger that goes up or down means the page, which the browser scrolls.
  */
 function sideways(from, to) {
   const [right, down] = [to.clientX - from.clientX, to.clientY - from.clientY].map(Math.abs);
