@@ -76,7 +76,7 @@ fn texts() -> BTreeSet<String> {
         }
     }
     texts.extend(keys().into_iter().flat_map(|row| [row.keys, row.effect]).map(str::to_owned));
-    let mistakes = exercises::Mistake::all().flat_map(|mistake| [mistake.what, mistake.place]);
+    let mistakes = exercises::mistakes().flat_map(|mistake| [mistake.what, mistake.place]);
     let milestones = exercises::Milestone::ALL.iter().flat_map(|it| [it.done, it.missing, it.next]);
     texts.extend(mistakes.chain(milestones).map(str::to_owned));
     for name in STEPS.into_iter().chain([LECTURE]) {

@@ -78,7 +78,7 @@ fn each_mistake_is_told_from_all_others() {
         "center.x=0.9",
         "k_d=0.3",
     ];
-    let mut unnamed: Vec<&str> = Mistake::all().map(|mistake| mistake.what).collect();
+    let mut unnamed: Vec<&str> = exercises::mistakes().map(|mistake| mistake.what).collect();
     unnamed.dedup();
     for (index, name) in STEPS.iter().enumerate() {
         let size = size(32, 18);
@@ -94,7 +94,8 @@ fn each_mistake_is_told_from_all_others() {
         });
         let frames: Vec<(Shot<'_>, RgbImage)> = frames.collect();
         // In the first step that shows it is enough.
-        let known = Mistake::all().par_bridge().filter(|mistake| unnamed.contains(&mistake.what));
+        let known =
+            exercises::mistakes().par_bridge().filter(|mistake| unnamed.contains(&mistake.what));
         let said = known.map(|mistake| {
             let found = frames.iter().map(|(shot, _)| {
                 RgbImage::from_fn(32, 18, |col, row| Rgb(mistake.pixel(shot, col, row)))
@@ -132,7 +133,7 @@ fn what_mistakes_speak_of_is_in_the_steps() {
     }
     let untold: Vec<&str> = untold.iter().map(|(symbol, _)| *symbol).collect();
     assert!(untold.is_empty(), "no step tells these, so no mistake in them is found: {untold:?}");
-    for Mistake { what, place, .. } in Mistake::all() {
+    for Mistake { what, place, .. } in exercises::mistakes() {
         // What becomes of a pixel's colour is no step's concern.
         let Some((function, file)) = place.split_once(" in ") else {
             assert_eq!(*place, "where a pixel is written", "{what}");

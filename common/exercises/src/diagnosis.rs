@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::known;
 use crate::milestone::Milestone;
 use crate::mistake::Kind;
 use crate::mistake::Mistake;
@@ -51,7 +52,7 @@ impl Diagnosis {
         let reached = reached.min_by_key(|(misfits, _)| *misfits);
         // What a step hands over is not encoded yet.
         let all: Vec<&Mistake> =
-            Mistake::all().filter(|it| step.is_empty() || !it.is_encoding()).collect();
+            known::all().filter(|it| step.is_empty() || !it.is_encoding()).collect();
         let misfits = |it: &&Mistake| sample.misfits(PART, |place| mistaken(&[*it], place));
         let known: Vec<(usize, &Mistake)> =
             all.iter().filter_map(|it| Some((misfits(it)?, *it))).collect();
@@ -107,7 +108,7 @@ impl Diagnosis {
                 Kind::Told(slip) => milestone.misfits(sample, PART, Some(slip)).is_some(),
                 _ => false,
             };
-            let mut known = Mistake::all().filter(fits);
+            let mut known = known::all().filter(fits);
             let but = known.next()?;
             let is_alone = known.all(|other| other.what == but.what);
             is_alone.then_some(Self {

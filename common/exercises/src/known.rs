@@ -1,7 +1,12 @@
-//! The mistakes that the lecture knows in what is seen, by slide and place; and how one is listed.
+//! The mistakes that the lecture knows: those in what is seen, by slide and place, and all.
 
+use crate::known_light::LIT;
 use crate::mistake::Kind;
 use crate::mistake::Mistake;
+use crate::mistake::center;
+use crate::mistake::grid;
+use crate::mistake::kind;
+use crate::mistake::mistakes;
 use crate::said::ahead;
 use crate::said::told;
 use crate::symbol::*;
@@ -9,33 +14,13 @@ use common::Color;
 use common::Pixel;
 use show::Setting;
 
-macro_rules! kind {
-    (told $($slip:tt)*) => { Kind::Told(told!($($slip)*)) };
-    (mapped $place:expr) => { Kind::Mapped($place) };
-    (set $values:expr) => { Kind::Set($values) };
-    (unasked $($slip:tt)*) => { Kind::Unasked(told!($($slip)*)) };
-    (blocked $range:expr) => { Kind::Blocked($range) };
-    (seen $color:expr) => { Kind::Seen($color) };
-    (encoded $encoding:expr) => { Kind::Encoded($encoding) };
+/// All mistakes that are known.
+pub fn all() -> impl Iterator<Item = &'static Mistake> {
+    SEEN.iter().chain(LIT)
 }
-
-pub(crate) use kind;
-
-/// By slide and place: what is wrong, and how a step is made to do it.
-macro_rules! mistakes {
-    ($($slide:literal, $place:literal { $($what:literal => $kind:ident($($how:tt)*);)* })*) => {
-        &[$($(Mistake {
-            what: $what,
-            slide: $slide,
-            place: $place,
-            kind: kind!($kind $($how)*),
-        },)*)*]
-    };
-}
-pub(crate) use mistakes;
 
 #[rustfmt::skip]
-pub(crate) const SEEN: &[Mistake] = mistakes! {
+const SEEN: &[Mistake] = mistakes! {
     "Mapeamento", "viewing_ray in render.rs" {
         "The ½ is missing: (u, v) is the pixel's corner, not its centre" =>
             mapped(|pixel| grid(pixel, 0.0, 0.0));
@@ -267,22 +252,9 @@ pub(crate) const SEEN: &[Mistake] = mistakes! {
     }
 };
 
-/// The (u, v) of a place in a pixel: `offset` from its upper left corner, and with `less` than all
-/// columns and rows taken for the whole.
-fn grid(pixel: Pixel, offset: f32, less: f32) -> (f32, f32) {
-    let Pixel { col, row, width, height } = pixel;
-    let share = |index: usize, of: usize| (index as f32 + offset) / (of as f32 - less).max(1.0);
-    (share(col, width), 1.0 - share(row, height))
-}
-
 /// The share of a picture that is as wide as it is high.
 fn narrowed(share: f32, pixel: Pixel) -> f32 {
     0.5 + (share - 0.5) * pixel.height as f32 / pixel.width as f32
-}
-
-/// The (u, v) of a pixel's centre.
-pub(crate) fn center(pixel: Pixel) -> (f32, f32) {
-    grid(pixel, 0.5, 0.0)
 }
 
 /// By the formula, since it may be the encoding that is broken.

@@ -2,10 +2,10 @@
 
 use std::f32::consts::PI;
 
-use crate::known::kind;
-use crate::known::mistakes;
 use crate::mistake::Kind;
 use crate::mistake::Mistake;
+use crate::mistake::kind;
+use crate::mistake::mistakes;
 use crate::said::told;
 use crate::symbol::*;
 use common::Color;

@@ -14,7 +14,9 @@ mod mistake;
 mod other;
 mod said;
 mod sample;
+mod scenery;
 mod settings;
+mod shot;
 mod symbol;
 
 use std::env;
@@ -26,13 +28,14 @@ use image::RgbImage;
 
 use common::Tell;
 pub use diagnosis::Diagnosis;
+pub use known::all as mistakes;
 pub use milestone::Milestone;
 pub use mistake::Mistake;
 pub use sample::Pair;
 use sample::Sample;
-pub use sample::Scene;
-pub use sample::Shot;
+pub use scenery::Scene;
 use settings::Settings;
+pub use shot::Shot;
 use show::Code;
 use show::Exercises;
 use show::Files;

@@ -3,14 +3,11 @@
 use std::fmt;
 use std::mem::discriminant;
 
-use crate::known;
-use crate::known::center;
-use crate::known_light;
 use crate::said::Said;
 use crate::said::added;
 use crate::said::told;
 use crate::sample::Place;
-use crate::sample::Shot;
+use crate::shot::Shot;
 use crate::symbol::VISIBLE;
 use common::Camera;
 use common::Color;
@@ -64,6 +61,31 @@ pub(crate) enum Kind {
     Encoded(fn(Color) -> Color),
 }
 
+macro_rules! kind {
+    (told $($slip:tt)*) => { Kind::Told(told!($($slip)*)) };
+    (mapped $place:expr) => { Kind::Mapped($place) };
+    (set $values:expr) => { Kind::Set($values) };
+    (unasked $($slip:tt)*) => { Kind::Unasked(told!($($slip)*)) };
+    (blocked $range:expr) => { Kind::Blocked($range) };
+    (seen $color:expr) => { Kind::Seen($color) };
+    (encoded $encoding:expr) => { Kind::Encoded($encoding) };
+}
+
+pub(crate) use kind;
+
+/// By slide and place: what is wrong, and how a step is made to do it.
+macro_rules! mistakes {
+    ($($slide:literal, $place:literal { $($what:literal => $kind:ident($($how:tt)*);)* })*) => {
+        &[$($(Mistake {
+            what: $what,
+            slide: $slide,
+            place: $place,
+            kind: kind!($kind $($how)*),
+        },)*)*]
+    };
+}
+pub(crate) use mistakes;
+
 impl fmt::Display for Mistake {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { what, slide, place, .. } = self;
@@ -73,11 +95,6 @@ impl fmt::Display for Mistake {
 }
 
 impl Mistake {
-    /// All that are known.
-    pub fn all() -> impl Iterator<Item = &'static Self> {
-        known::SEEN.iter().chain(known_light::LIT)
-    }
-
     /// What the pixel (col, row) of `shot` is with this mistake.
     pub fn pixel(&self, shot: &Shot<'_>, col: u32, row: u32) -> [u8; 3] {
         pixel(&[self], shot, 1.0, col, row)
@@ -220,4 +237,17 @@ fn seen(step: &dyn AnyStep, ray: Ray, pixel: Pixel, slips: &[Slip]) -> Explanati
 /// What is no number, or too small, is 0, and what is too large 255.
 fn byte(value: f32) -> u8 {
     (255.0 * value).round() as u8
+}
+
+/// The (u, v) of a place in a pixel: `offset` from its upper left corner, and with `less` than all
+/// columns and rows taken for the whole.
+pub(crate) fn grid(pixel: Pixel, offset: f32, less: f32) -> (f32, f32) {
+    let Pixel { col, row, width, height } = pixel;
+    let share = |index: usize, of: usize| (index as f32 + offset) / (of as f32 - less).max(1.0);
+    (share(col, width), 1.0 - share(row, height))
+}
+
+/// The (u, v) of a pixel's centre.
+pub(crate) fn center(pixel: Pixel) -> (f32, f32) {
+    grid(pixel, 0.5, 0.0)
 }

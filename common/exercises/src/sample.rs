@@ -2,83 +2,9 @@
 
 use image::RgbImage;
 
-use crate::mistake::Mistake;
-use common::Camera;
-use common::Vec3;
-use show::Frame;
-use show::Setup;
-use show::Shown;
-use show::Size;
+use crate::shot::Shot;
 use show::TOLERANCE;
 use show::off;
-use telling::AnyStep;
-
-/// A step as it is set up and seen, and as each mistake in its settings has it.
-pub struct Scene {
-    setup: Setup,
-    camera: Box<dyn Camera>,
-    size: Size,
-    lights: Vec<Vec3>,
-    altered: Vec<Altered>,
-}
-
-/// What a mistake is, and the step with it.
-type Altered = (&'static str, Box<dyn Shown>);
-
-impl Scene {
-    /// What a picture of this size shows of the step as it is set up.
-    pub fn new(setup: Setup, size: Size) -> Self {
-        let camera = setup.view().camera(size.aspect());
-        let altered = Mistake::all().filter_map(|it| Some((it.what, it.altered(&setup)?)));
-        let altered = altered.collect();
-        let lights = setup.points().into_iter().filter(|point| point.name == "light");
-        let lights = lights.map(|point| point.position).collect();
-        Self { setup, camera, size, lights, altered }
-    }
-
-    /// Its picture, with the square of `samples` rays a pixel.
-    pub fn shot(&self, samples: usize) -> Shot<'_> {
-        let Self { setup, camera, size, lights, altered } = self;
-        let controls = setup.list();
-        let epsilon = controls.iter().find(|setting| setting.name == "epsilon");
-        let epsilon = epsilon.map_or(0.0, |setting| setting.control.value);
-        Shot { epsilon, altered, lights, ..Shot::right(setup, &**camera, *size, samples) }
-    }
-}
-
-/// How a picture is made, and what a mistake has to know of that.
-#[derive(Clone, Copy)]
-pub struct Shot<'a> {
-    /// What is seen, from where.
-    pub frame: Frame<'a>,
-    /// Where shadow rays begin.
-    pub(crate) epsilon: f32,
-    lights: &'a [Vec3],
-    altered: &'a [Altered],
-}
-
-impl<'a> Shot<'a> {
-    /// What `camera` sees of the step as it is set up: nobody asks it for a mistake.
-    pub(crate) fn right(
-        setup: &'a Setup, camera: &'a dyn Camera, size: Size, samples: usize,
-    ) -> Self {
-        let frame = Frame { step: setup.step(), camera, size, samples };
-        Self { frame, epsilon: 0.0, lights: &[], altered: &[] }
-    }
-
-    /// Where the light is, to the last bit, that is at `place` but for rounding.
-    pub(crate) fn light_at(&self, place: Vec3) -> Vec3 {
-        let off = |light: &&Vec3| light.distance_squared(place);
-        let nearest = self.lights.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
-        nearest.copied().unwrap_or(place)
-    }
-
-    /// The step with the mistake `what`, if that is one of settings.
-    pub(crate) fn altered(&self, what: &str) -> Option<&'a dyn AnyStep> {
-        let altered = self.altered.iter().find(|altered| altered.0 == what);
-        altered.map(|(_, step)| &**step as &dyn AnyStep)
-    }
-}
 
 /// Two pictures that should be equal, and how the one expected was made.
 pub struct Pair<'a> {

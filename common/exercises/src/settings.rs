@@ -3,7 +3,7 @@
 use crate::mistake::pixel;
 use crate::sample::Place;
 use crate::sample::Sample;
-use crate::sample::Shot;
+use crate::shot::Shot;
 use show::Setting;
 use show::Setup;
 use show::Size;
