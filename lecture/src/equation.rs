@@ -8,6 +8,8 @@ use show::law_name;
 use show::mathml;
 use show::plain;
 use show::terms;
+use telling::Line;
+use telling::Outcome;
 
 use crate::PROGRAMS;
 use crate::escape::escape;
@@ -32,9 +34,15 @@ pub(crate) fn told(name: &str) -> Vec<Told> {
     let (step, (width, height)) = ((program.make)(), SURVEY);
     let camera = step.view().camera(width as f32 / height as f32);
     let mut told: Vec<Told> = Vec::new();
+    // What is told of each object that is seen: of a sphere else than of a triangle.
+    let mut objects: Vec<Vec<&str>> = Vec::new();
     for place in 0..width * height {
         let pixel = Pixel { col: place % width, row: place / width, width, height };
-        for line in step.explain(&*camera, pixel).lines() {
+        let explanation = step.explain(&*camera, pixel);
+        let scopes = explanation.told.all();
+        let closest = scopes.iter().rev().find(|it| matches!(it.outcome, Outcome::Closest(_)));
+        objects.extend(closest.map(|it| it.lines().map(Line::symbol).collect()));
+        for line in explanation.lines() {
             let (kind, is_tall) = match line.value {
                 Value::Number(_) => (Letters::Scalar, false),
                 Value::Vector(_) => (Letters::Vector, true),
@@ -46,6 +54,11 @@ pub(crate) fn told(name: &str) -> Vec<Told> {
             }
         }
     }
+    // A letter of some kind of object alone means something else in the equations of all of them.
+    told.retain(|it| {
+        let count = objects.iter().filter(|of| of.contains(&it.symbol)).count();
+        count == 0 || count == objects.len()
+    });
     told
 }
 
