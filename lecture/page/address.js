@@ -13,7 +13,8 @@ const encoded = (address) =>
 function open(address) {
   document.body.classList.toggle("covered", !address);
   passing = !address;
-  act({ open: decoded(address || "#step07") });
+  // Its picture is the last step's.
+  act({ open: decoded(address || $("steps").querySelector("li:last-child a").hash) });
   if (!address) pass();
   // Who leads the class has the keys at once.
   if (state.stop) $("picture").focus({ preventScroll: true });

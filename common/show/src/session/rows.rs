@@ -44,6 +44,11 @@ const READ: f32 = 0.7;
 /// How many ems of height it takes below a picture, to be read as well there.
 const BELOW: f32 = 3.8;
 
+/// Whether a law has room in `area`.
+fn is_in(law: &Boxed, area: Area) -> bool {
+    law.width <= area.width && law.height() <= area.height
+}
+
 impl Session {
     /// The controls; none while the picture is alone.
     pub(super) fn controls(&self) -> Option<Panel> {
@@ -67,19 +72,23 @@ impl Session {
     }
 
     /// The law with the pinned pixel's numbers, and where it stands: on top of what is read of the pixel;
-    /// at a stop, whose title and text are told elsewhere, below the picture, as wide as that.
+    /// at a stop, whose title and text are told elsewhere, below the picture, if it is larger there.
     pub(super) fn law(&self) -> Option<(Boxed, Area)> {
         let Layout { em, beside, stop, .. } = self.layout();
         let Beside { caption, reading, .. } = beside?;
         let above = reading.filter(|_| self.desk.reading() == Reading::Pixel)?;
         let told_elsewhere = stop.is_some() && self.desk.altered().is_none();
         let is_below = told_elsewhere && self.desk.pin().is_some() && caption.height >= BELOW * em;
-        let area = if is_below { caption } else { above };
         let margin = MARGIN * em;
-        let most = if is_below { area.height - 1.2 * margin } else { LAW * area.height };
-        let law = self.desk.law().set(1.05 * em, area.width - 2.0 * margin, most);
-        let height = law.height() + if law.width > 0.0 { 1.2 * margin } else { 0.0 };
-        Some((law, if is_below { area } else { Area { height, ..area } }))
+        let set =
+            |area: Area, most| self.desk.law().set(1.05 * em, area.width - 2.0 * margin, most);
+        let law = set(above, LAW * above.height);
+        let below = is_below.then(|| (set(caption, caption.height - 1.2 * margin), caption));
+        let is_larger = |below: &Boxed| is_in(below, caption) && below.smallest() > law.smallest();
+        below.filter(|(below, _)| is_larger(below)).or_else(|| {
+            let height = law.height() + if law.width > 0.0 { 1.2 * margin } else { 0.0 };
+            Some((law, Area { height, ..above }))
+        })
     }
 
     /// The controls in their groups.
@@ -217,10 +226,9 @@ impl Session {
     /// What is read of the pinned pixel without scrolling: what has numbers in the law, if all of that has
     /// its place and is large enough for the back row, then each row's equation, or its words with what they come to.
     pub fn read_at_once(&self) -> Vec<String> {
-        let law = self.law().filter(|(law, area)| {
-            let fits = law.width <= area.width && law.height() <= area.height;
-            fits && law.smallest() >= READ * self.layout().em && self.desk.pin().is_some()
-        });
+        let least = READ * self.layout().em;
+        let law = self.law().filter(|(law, area)| is_in(law, *area) && law.smallest() >= least);
+        let law = law.filter(|_| self.desk.pin().is_some());
         let law = law.map_or(Vec::new(), |_| self.desk.law().told());
         let rows = self.reading_panel().map_or(Vec::new(), |panel| {
             let read = |row: &Row| match row {
