@@ -9,12 +9,13 @@ function showGist() {
   const math = formula().querySelector(".math");
   const law = [...math.querySelectorAll("[data-symbol]")].map(({ dataset }) => dataset.symbol);
   const [of, numbers] = (pin && asked({ gist: law })) || ["", []];
-  const parts = numbers.map(([symbol, values]) => `${symbol} ${values.join(" ")}`);
-  $("gist").textContent = pin ? [`(${pin.join(", ")}) ${of}`.trim(), ...parts].join(" · ") : "";
+  const set = numbers.map(([, html, values]) => `${html} ${values.join(" ")}`);
+  $("gist").innerHTML = pin ? [`(${pin.join(", ")}) ${of}`.trim(), ...set].join(" · ") : "";
   // It is said when another pixel is pinned, not at each number that changes.
   const what = pin ? [language, step, ...pin].join() : "";
   if (what === saidOf) return;
   saidOf = what;
+  const parts = numbers.map(([symbol, , values]) => `${symbol} ${values.join(" ")}`);
   const words = [of, ...parts].filter(Boolean).join(", ");
   $("said").textContent = pin ? `${pin.join(", ")}: ${words}` : "";
 }

@@ -22,6 +22,12 @@ pub(crate) fn formula(text: &str, letters: Letters) -> String {
     MADE.with_borrow_mut(|made| made.entry(key).or_insert_with(make).clone())
 }
 
+/// A symbol as a formula no higher than a line of text.
+pub(crate) fn in_a_line(symbol: &str) -> String {
+    let parts: Vec<_> = symbol.split('/').map(|part| formula(part, Letters::Scalar)).collect();
+    parts.join("/")
+}
+
 /// What a line tells, as a slide has it.
 pub(crate) fn told(line: &Line) -> String {
     let is_vector = matches!(line.value, Value::Vector(_));

@@ -108,7 +108,9 @@ impl Page {
             Ask::Explain => json(&explained(&self.desk)),
             Ask::Gist(law) => {
                 let law: Vec<&str> = law.iter().map(String::as_str).collect();
-                json(&self.desk.gist(&law).map(|gist| (gist.of, gist.numbers)))
+                let set = |(symbol, values)| (symbol, formula::in_a_line(symbol), values);
+                let numbers = |all: Vec<_>| all.into_iter().map(set).collect::<Vec<_>>();
+                json(&self.desk.gist(&law).map(|gist| (gist.of, numbers(gist.numbers))))
             }
             Ask::Seen => json(&self.desk.things()),
             Ask::Code => json(&listings(&self.desk)),
