@@ -12,6 +12,9 @@ use super::token::tokens;
 /// The call that only tells what the lines after it are about.
 const ABOUT: &str = "about";
 
+/// The trait that tells, and draws nothing.
+const TELL: &str = "Tell";
+
 /// A line of a source as it is shown.
 #[derive(Clone)]
 pub(super) struct Line {
@@ -64,11 +67,9 @@ pub(super) fn whole(source: &Source) -> Vec<Line> {
 pub(super) fn folded(source: &Source) -> Vec<Line> {
     let mut cuts = Cuts::default();
     for item in source.items.iter().filter(|item| item.is_function) {
-        match listens(source, item) {
-            Some("impl") => fold(source, item, &mut cuts),
-            // What a listener of one kind is told is told alone.
-            Some(_) => cuts.cut(item.at.clone(), ""),
-            None => fold(source, item, &mut cuts),
+        match item.of_trait {
+            TELL => cuts.cut(block_around(source, item), ""),
+            _ => fold(source, item, &mut cuts),
         }
     }
     cut_needless_uses(source, &mut cuts);
@@ -89,11 +90,12 @@ fn cut_needless_uses(source: &Source, cuts: &mut Cuts) {
     }
 }
 
-/// The first word of the type of the function's listener.
-fn listens(source: &Source, item: &Item) -> Option<&'static str> {
-    let declared = |place: &usize| source.part(*place) == LISTENER && source.part(place + 1) == ":";
-    let place = (item.parts.start..item.body).find(declared)?;
-    Some(source.part(place + 3))
+/// The bytes of the `impl` that the function is in.
+fn block_around(source: &Source, item: &Item) -> Range<usize> {
+    let begins = (0..item.parts.start).rfind(|place| source.part(*place) == "impl");
+    let first = begins.unwrap_or(item.parts.start);
+    let open = source.find(first..item.parts.end, &["{"]).unwrap_or(first);
+    source.start(first)..source.end(source.closing(open))
 }
 
 fn fold(source: &Source, item: &Item, cuts: &mut Cuts) {
