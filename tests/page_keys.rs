@@ -189,10 +189,10 @@ fn a_pinned_pixel_is_said_once() {
     let once = browser.text(said);
     assert_eq!(
         once,
-        "387, 289: red sphere, t 6.28, V 1, I/r² 0.66, n·l 0.21, max(0, n·h)^p 0, L 0.35 0.1 0.08"
+        "387, 289: red sphere, key light, V 1, I/r² 0.66, n·l 0.21, max(0, n·h)^p 0, L 0.35 0.1 0.08"
     );
     // There symbols are set as on a slide.
-    let set = "(387, 289) red sphere · 𝑡 6.28 · 𝑉 1 · 𝐼/𝑟2 0.66 · 𝐧·𝐥 0.21 · max(0,𝐧·𝐡)𝑝 0 · 𝐿 0.35 0.1 0.08";
+    let set = "(387, 289) red sphere, key light · 𝑉 1 · 𝐼/𝑟2 0.66 · 𝐧·𝐥 0.21 · max(0,𝐧·𝐡)𝑝 0 · 𝐿 0.35 0.1 0.08";
     assert_eq!(browser.text(strip), set);
     browser.run("moved({ set: ['key.I', '10'] })");
     browser.wait_for(DRAWN);

@@ -17,8 +17,8 @@ const LOOKS: (usize, usize) = (32, 18);
 /// What the pinned pixel shows, and its most telling numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gist {
-    /// What is seen there; "" where a step knows of no things.
-    pub of: &'static str,
+    /// What is seen there, and in which of several lights; "" where a step knows of no things.
+    pub of: String,
     /// Symbols, each with its numbers.
     pub numbers: Vec<(&'static str, Vec<String>)>,
 }
@@ -54,7 +54,11 @@ impl Desk {
         let settings = setup.list();
         let is_set = |line: &Line| settings.iter().any(|set| set.control.name == line.symbol());
         let (of, t) = thing(&explanation).unwrap_or_default();
-        let mut numbers: Vec<_> = t.map(|t| ("t", glance(&t.into()))).into_iter().collect();
+        let several = chosen.filter(|_| each.len() > 1);
+        let of = several.map_or(of.to_owned(), |its| format!("{of}, {}", translated(its.of)));
+        // Where there are several lights, there is no room for what is known from earlier steps.
+        let told = t.filter(|_| several.is_none());
+        let mut numbers: Vec<_> = told.map(|t| ("t", glance(&t.into()))).into_iter().collect();
         // Where the closest hit is known, no other t is told.
         for symbol in law.iter().filter(|symbol| t.is_none() || !symbol.starts_with('t')) {
             let line = lines.iter().rev().find(|line| line.symbol() == *symbol);
