@@ -199,8 +199,12 @@ fn a_pinned_pixel_is_said_once() {
     assert!(browser.text(said) == once && !browser.text(strip).ends_with("0.35 0.1 0.08"));
     browser.run("act({ movePin: [1, 0] })");
     assert!(browser.text(said).starts_with("388, 289: red sphere, "));
-    // All of it is a click away.
+    // All of it is a click away, and so is the way back to where one reads.
+    browser.run("document.documentElement.style.scrollBehavior = 'auto'; scrollTo(0, 300)");
     browser.run("$('all').click()");
     assert_eq!(browser.text("return document.activeElement.id"), "pinned");
+    let read = "const back = () => scrollY === 300 ? done(true) : requestAnimationFrame(back);
+        history.back(); back()";
+    assert_eq!(browser.wait_for(read), true);
     browser.is_quiet();
 }

@@ -43,13 +43,13 @@ function writeAddress(before) {
   writing = setTimeout(() => write("replaceState", state.address), 200);
 }
 
-/** A link to a step takes all along, but from the cover; one with settings is a button. */
+/** A link to a step takes all along, but not where one reads on; one with settings is a button. */
 function follow(event) {
   const link = event.target.closest("a[href^='#step']");
   if (!link || event.ctrlKey || event.metaKey || event.shiftKey) return;
   event.preventDefault();
   if (link.matches(".try")) take(link);
-  else if (isCovered()) {
+  else if (isCovered() || link.closest(".next")) {
     open(link.hash);
     write("pushState", state.address);
   } else act({ step: Number(link.hash.slice(5)) });

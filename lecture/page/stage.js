@@ -168,6 +168,8 @@ function buttons() {
   hold.addEventListener("contextmenu", (event) => event.preventDefault());
   $("divider").oninput = () => act({ divideAt: Number($("divider").value) });
   $("all").onclick = () => {
+    // The way back leads to where one read.
+    write("pushState", state.address);
     $("pixel").scrollIntoView();
     $("pinned").focus({ preventScroll: true });
   };
